@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: gudgeon contributors
+# SPDX-License-Identifier: Apache-2.0
+#
+# One target a floor: gudgeon_add_floor(NAME USES lower floors and libraries).
+# Headers and sources are the files of the floor's folder; each header is checked to stand alone.
+
+add_library(gudgeon_options INTERFACE)
+target_compile_features(gudgeon_options INTERFACE cxx_std_20)
+target_compile_options(gudgeon_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Werror
+  -ffp-contract=off  # same bits whatever instruction set the compiler is allowed to use
+  # comparisons and square roots need neither errno nor floating-point traps
+  -fno-math-errno -fno-trapping-math)
+if(GUDGEON_SANITIZE)
+  target_compile_options(gudgeon_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(gudgeon_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+function(gudgeon_add_floor name)
+  cmake_parse_arguments(arg "" "" "USES;PRIVATE_USES" ${ARGN})
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.h)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  set(target gudgeon_${name})
+  if(sources)
+    add_library(${target} STATIC ${sources})
+    set(scope PUBLIC)
+    target_link_libraries(${target} PRIVATE gudgeon_options ${arg_PRIVATE_USES})
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_sources(${target} ${scope}
+    FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
+  target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(${target} ${scope} ${arg_USES})
+  set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
+endfunction()

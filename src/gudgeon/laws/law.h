@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What all laws of all families share: a name, a formula in text, and one table of parameters.
+#pragma once
+
+#include <concepts>
+#include <string_view>
+#include <variant>
+
+#include "gudgeon/base/parameter_table.h"
+
+namespace gudgeon {
+
+/// A law is a value: default-constructible parameters, a name, a formula and a parameter table.
+template <class Law>
+concept LawValue = std::default_initializable<Law> && std::copyable<Law> && requires {
+  { Law::kName } -> std::convertible_to<std::string_view>;
+  { Law::kFormula } -> std::convertible_to<std::string_view>;
+  { Law::kParameters.size() } -> std::convertible_to<std::size_t>;
+};
+
+/// Calls visit.operator()<Law>() for every alternative of a family's variant, in order.
+template <class Any, class Visitor>
+constexpr void for_each_law(Visitor&& visitor) {
+  [&]<class... Laws>(std::type_identity<std::variant<Laws...>>) {
+    (visitor.template operator()<Laws>(), ...);
+  }(std::type_identity<Any>{});
+}
+
+/// The name of the law that a family's variant holds.
+template <class... Laws>
+constexpr std::string_view law_name(const std::variant<Laws...>& law) {
+  return std::visit([]<class Law>(const Law&) { return std::string_view{Law::kName}; }, law);
+}
+
+}  // namespace gudgeon

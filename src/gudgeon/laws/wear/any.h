@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every wear law. A new law is one more alternative here.
+#pragma once
+
+#include <variant>
+
+#include "gudgeon/laws/wear/archard.h"
+#include "gudgeon/laws/wear/no_wear.h"
+
+namespace gudgeon {
+
+using AnyWear = std::variant<NoWear, Archard>;
+
+}  // namespace gudgeon

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A planar mechanism as the user describes it: bodies, joints, drivers, loads, gravity.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gudgeon/model/body.h"
+#include "gudgeon/model/driver.h"
+#include "gudgeon/model/joint.h"
+#include "gudgeon/model/load.h"
+
+namespace gudgeon {
+
+struct Mechanism {
+  std::string name;
+  std::string description;
+  Vec2 gravity;               ///< g [m/s^2] in the frame's axes; none unless given
+  std::vector<Body> bodies;   ///< the frame is bodies[0]; its mass is not used
+  std::vector<Joint> joints;
+  std::vector<Driver> drivers;
+  std::vector<Load> loads;
+};
+
+/// Index of the body of that name, or -1.
+int find_body(const Mechanism& mechanism, std::string_view name);
+/// Index of the joint of that name, or -1.
+int find_joint(const Mechanism& mechanism, std::string_view name);
+/// The point of that name on a body; nullptr when there is none.
+const Point* find_point(const Body& body, std::string_view name);
+
+/// The same mechanism with every clearance joint replaced by an ideal revolute joint.
+Mechanism make_ideal(const Mechanism& mechanism);
+
+}  // namespace gudgeon

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The stages of one case, one after the other: ideal, no wear, first wear, second wear …
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <string_view>
+
+#include "gudgeon/model/mechanism.h"
+#include "gudgeon/model/study.h"
+#include "gudgeon/results/run_record.h"
+
+namespace gudgeon {
+
+/// How far a case has come.
+struct Progress {
+  std::string_view stage;  ///< name of the stage under way
+  int stage_index = 0;
+  int n_stages = 1;
+  double fraction = 0.0;   ///< of the stage's time
+};
+
+/// What a caller may hang into a run. Callbacks come from the thread that runs the case.
+struct RunHooks {
+  std::stop_token stop;                                   ///< stops at the next accepted step
+  std::function<void(const Progress&)> progress;          ///< about a hundred times a stage
+  std::function<void(const StageRecord&)> stage_finished;  ///< also for a stage that stopped or failed
+};
+
+/// Runs every stage of the study. Each stage is handed to hooks.stage_finished as soon as it ends and is also
+/// returned. A stage that stops or fails ends the run; its record says when and why.
+/// Throws ModelError when the mechanism cannot be assembled.
+std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& study, const RunHooks& hooks = {});
+
+}  // namespace gudgeon
