@@ -50,16 +50,28 @@ struct SourceSpan {
 
 /// A model file's text and where each of its values stands.
 struct SourceMap {
-  std::string file;                       ///< as the user named it
-  std::string text;                       ///< verbatim
-  std::map<std::string, SourceSpan> spans;  ///< dotted path -> place of the value
+  std::string file;                            ///< as the user named it
+  std::string text;                            ///< verbatim
+  std::map<std::string, SourceSpan> spans;     ///< dotted path -> place of the value
+  std::map<std::string, std::string> written;  ///< dotted path -> a single value as it was written, quotes included
+  std::map<std::string, std::string> origins;  ///< dotted path -> who overrode it, "--set study.cycles=3"
 
-  /// The place of a path or of its nearest enclosing table; nullptr when neither is known.
+  /// The place of a path or of its nearest enclosing table; nullptr when neither is known, and for a value that was
+  /// overridden from outside the file.
   [[nodiscard]] const SourceSpan* find(std::string_view path) const;
+  /// Who overrode a path or its nearest known enclosing table; nullptr when it stands in the file as it is.
+  [[nodiscard]] const std::string* find_origin(std::string_view path) const;
 };
 
-/// All diagnostics as text, one after the other, errors first, each with its source line and a caret.
+/// All diagnostics as text, errors first and in the order of the file, each with its source line and a caret; a line
+/// that counts them ends it.
 std::string render(const Diagnostics& diagnostics, const SourceMap& source);
+
+/// "frame, crank_1, rod_2"
+std::string join_names(std::span<const std::string> names);
+
+/// The candidate nearest in spelling, when it is near enough to be meant; nullptr otherwise.
+const std::string* find_nearest(std::string_view name, std::span<const std::string> candidates);
 
 /// "Did you mean 'crank_4'?", or empty when no candidate is near.
 std::string suggest(std::string_view name, std::span<const std::string> candidates);

@@ -26,9 +26,9 @@ struct NormalForce {
   double elastic_energy;  ///< stored energy U [J], dU/dδ = elastic_force
 };
 
-/// Total force of an elastic part and a damping part; a contact cannot pull, so the sum ends at zero.
+/// Total force of an elastic part and a damping part; a contact cannot pull, so the sum ends at zero. NaN stays NaN.
 inline double never_pulling(double elastic_force, double damping_force) {
-  return std::max(0.0, elastic_force + damping_force);
+  return std::max(elastic_force + damping_force, 0.0);
 }
 
 template <class Law>

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Diagnostics as text: place, code, message, the source line with a caret below the value, notes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "gudgeon/base/diagnostics.h"
+
+namespace gudgeon {
+
+namespace {
+
+std::string_view severity_name(Severity severity) {
+  switch (severity) {
+    case Severity::remark:
+      return "remark";
+    case Severity::warning:
+      return "warning";
+    case Severity::error:
+      return "error";
+  }
+  return "error";
+}
+
+/// The line of that number, counted from 1, without its end; empty when there is none.
+std::string_view find_line(std::string_view text, int number) {
+  for (int i = 1; i < number; ++i) {
+    const auto end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  text = text.substr(0, text.find('\n'));
+  if (text.ends_with('\r')) text.remove_suffix(1);
+  return text;
+}
+
+/// Takes the next code point off UTF-8 text; a broken sequence counts byte by byte.
+char32_t take_code_point(std::string_view& text) {
+  const auto first = static_cast<unsigned char>(text.front());
+  const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  char32_t code = length == 1 ? first : first & (0xFFU >> (length + 1));
+  std::size_t taken = 1;
+  for (; taken < length && taken < text.size(); ++taken) {
+    const auto next = static_cast<unsigned char>(text[taken]);
+    if ((next & 0xC0U) != 0x80U) break;
+    code = (code << 6U) | (next & 0x3FU);
+  }
+  text.remove_prefix(taken);
+  return code;
+}
+
+/// Columns that a code point takes in a terminal: none for combining marks, two for East Asian letters and emoji.
+std::size_t display_width(char32_t code) {
+  if (code >= 0x300 && code <= 0x36F) return 0;
+  const bool wide = (code >= 0x1100 && code <= 0x115F) || (code >= 0x2E80 && code <= 0xA4CF) ||
+                    (code >= 0xAC00 && code <= 0xD7A3) || (code >= 0xF900 && code <= 0xFAFF) ||
+                    (code >= 0xFE30 && code <= 0xFE6F) || (code >= 0xFF00 && code <= 0xFF60) || code >= 0x1F300;
+  return wide ? 2 : 1;
+}
+
+/// Blanks up to the span, tabs kept as tabs, then a caret under each of its columns.
+std::string make_caret(std::string_view line, const SourceSpan& span) {
+  std::string caret;
+  for (int column = 1; column < span.column; ++column) {
+    if (line.empty()) {
+      caret += ' ';
+      continue;
+    }
+    const char32_t code = take_code_point(line);
+    caret += code == U'\t' ? std::string{'\t'} : std::string(display_width(code), ' ');
+  }
+  std::size_t width = 0;
+  for (int i = 0; i < span.length && !line.empty(); ++i) width += display_width(take_code_point(line));
+  return caret + std::string(std::max<std::size_t>(width, 1), '^');
+}
+
+void render_one(std::string& out, const Diagnostic& item, const SourceMap& source) {
+  const auto write = std::back_inserter(out);
+  const SourceSpan* span = source.find(item.path);
+  const std::string* origin = source.find_origin(item.path);
+  if (span != nullptr && span->line > 0) {
+    fmt::format_to(write, "{}:{}:{}: ", source.file, span->line, span->column);
+  } else if (origin != nullptr) {
+    fmt::format_to(write, "{}: ", *origin);
+  }
+  fmt::format_to(write, "{} {}: {}\n", severity_name(item.severity), item.code, item.message);
+  if (span != nullptr && span->line > 0) {
+    const std::string_view line = find_line(source.text, span->line);
+    fmt::format_to(write, "{:>5} | {}\n      | {}\n", span->line, line, make_caret(line, *span));
+    if (origin != nullptr) fmt::format_to(write, "   set by {}\n", *origin);
+  }
+  for (const std::string& note : item.notes) fmt::format_to(write, "   {}\n", note);
+}
+
+/// Line and column; what has no place comes first.
+std::pair<int, int> find_place(const Diagnostic& item, const SourceMap& source) {
+  const SourceSpan* span = source.find(item.path);
+  return span == nullptr ? std::pair{0, 0} : std::pair{span->line, span->column};
+}
+
+std::string count(std::size_t number, std::string_view what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string render(const Diagnostics& diagnostics, const SourceMap& source) {
+  std::string out;
+  std::string summary;
+  for (const Severity severity : {Severity::error, Severity::warning, Severity::remark}) {
+    std::vector<const Diagnostic*> items;
+    for (const Diagnostic& item : diagnostics.items()) {
+      if (item.severity == severity) items.push_back(&item);
+    }
+    if (items.empty()) continue;
+    std::ranges::stable_sort(items, {}, [&source](const Diagnostic* item) { return find_place(*item, source); });
+    for (const Diagnostic* item : items) render_one(out, *item, source);
+    summary += (summary.empty() ? "" : ", ") + count(items.size(), severity_name(severity));
+  }
+  return summary.empty() ? out : out + summary + "\n";
+}
+
+}  // namespace gudgeon

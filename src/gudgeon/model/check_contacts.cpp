@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rules for materials and laws. Ranges come from the laws' own parameter tables.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "gudgeon/laws/normal/delivered_restitution.h"
+#include "gudgeon/model/check_rules.h"
+
+namespace gudgeon {
+
+namespace {
+
+constexpr ParameterRange kPoissonRange{0.0, 0.5, false, true};
+
+// A restitution delivered within this of the one asked for is what the user meant.
+constexpr double kRestitutionMargin = 0.045;
+
+template <class Law>
+void check_parameters(CheckRules& rules, const Law& law, const std::string& subject, const std::string& path) {
+  for (const Parameter<Law>& parameter : Law::kParameters) {
+    const std::string parameter_path = fmt::format("{}.{}", path, parameter.key);
+    rules.check_range("E-MODEL-030", {subject, parameter_path, law.*parameter.member, parameter.dimension},
+                      parameter.range);
+  }
+}
+
+/// The value of the parameter with that symbol in the law's formula.
+template <class Law>
+std::optional<double> find_parameter(const Law& law, std::string_view symbol) {
+  for (const Parameter<Law>& parameter : Law::kParameters) {
+    if (parameter.symbol == symbol) return law.*parameter.member;
+  }
+  return std::nullopt;
+}
+
+/// χ of a law of the shape F = K δⁿ (1 + χ δ̇/δ̇₀), tried at two speeds and two penetrations.
+template <class Law>
+std::optional<double> find_damping_factor(const Law& law) {
+  constexpr double kAgreement = 1e-9;  // far above rounding, far below any other law's difference
+  const auto damping = [&law](double penetration, double rate) {
+    const NormalForce force = law(NormalContact{penetration, rate, 1.0, 1.0});
+    return force.force / force.elastic_force - 1.0;
+  };
+  const double factor = damping(1.0, 1.0);
+  const bool linear = std::abs(damping(1.0, 0.5) - 0.5 * factor) < kAgreement;
+  const bool proportional = std::abs(damping(0.5, 1.0) - factor) < kAgreement;
+  return linear && proportional ? std::optional{factor} : std::nullopt;
+}
+
+template <class Law>
+void remark_restitution(CheckRules& rules, const Law& law, const std::string& subject, const std::string& path) {
+  if constexpr (requires { law.restitution; }) {
+    const std::optional<double> factor = find_damping_factor(law);
+    if (!factor || !(*factor >= 0.0)) return;
+    const double delivered = find_delivered_restitution(*factor);
+    if (std::abs(delivered - law.restitution) <= kRestitutionMargin) return;
+    rules.diagnostics.remark("R-MODEL-101", path + ".restitution",
+                             fmt::format("{}: restitution is {:.6g}, but {} delivers {:.3f}", subject, law.restitution,
+                                         Law::kName, delivered),
+                             {"choose another law of normal force, or ask for another restitution"});
+  }
+}
+
+template <class Law>
+void remark_friction(CheckRules& rules, const Law& law, const std::string& subject, const std::string& path) {
+  const auto static_coefficient = find_parameter(law, "μ_s");
+  const auto kinetic_coefficient = find_parameter(law, "μ_k");
+  if (!static_coefficient || !kinetic_coefficient) return;
+  if (*static_coefficient < *kinetic_coefficient) {
+    rules.diagnostics.remark("R-MODEL-102", path + ".static_coefficient",
+                             fmt::format("{}: static_coefficient is {:.6g}, below the kinetic_coefficient, {:.6g}",
+                                         subject, *static_coefficient, *kinetic_coefficient));
+  }
+  // Bristles with too little viscous friction can give back more energy than they took.
+  const auto bristle_damping = find_parameter(law, "σ₁");
+  const auto viscous = find_parameter(law, "σ₂");
+  if (!bristle_damping || !viscous || !(*kinetic_coefficient > 0.0)) return;
+  const double least = *bristle_damping * (*static_coefficient - *kinetic_coefficient) / *kinetic_coefficient;
+  if (*viscous >= least) return;
+  rules.diagnostics.remark(
+      "R-MODEL-104", path,
+      fmt::format("{}: dissipation is certain only for σ₂ >= σ₁ (μ_s - μ_k)/μ_k = {:.6g} s/m; σ₂ is {:.6g}", subject,
+                  least, *viscous));
+}
+
+void check_material(CheckRules& rules, const Material& material) {
+  const std::string subject = fmt::format("material '{}'", material.name);
+  const std::string path = fmt::format("materials.{}", material.name);
+  rules.check_name("a material", path, material.name);
+  rules.check_range("E-MODEL-031", {subject, path + ".young_modulus", material.young_modulus, dimension::kPressure},
+                    kPositive);
+  rules.check_range("E-MODEL-031", {subject, path + ".poisson_ratio", material.poisson_ratio, dimension::kNone},
+                    kPoissonRange);
+}
+
+void check_laws(CheckRules& rules, const ContactProperties& contact, const std::string& subject,
+                const std::string& path) {
+  const auto check_law = [&](const auto& any, const std::string& key) {
+    std::visit([&](const auto& law) { check_parameters(rules, law, subject + ": " + key, path + "." + key); }, any);
+  };
+  check_law(contact.normal_force, "normal_force");
+  check_law(contact.friction, "friction");
+  check_law(contact.bearing_wear, "bearing_wear");
+  check_law(contact.journal_wear, "journal_wear");
+  std::visit([&](const auto& law) { remark_restitution(rules, law, subject, path + ".normal_force"); },
+             contact.normal_force);
+  std::visit([&](const auto& law) { remark_friction(rules, law, subject, path + ".friction"); }, contact.friction);
+}
+
+}  // namespace
+
+void check_contacts(CheckRules& rules) {
+  std::set<std::string> seen_contacts;
+  std::set<std::string> seen_materials;
+  for (const Joint& joint : rules.mechanism.joints) {
+    const auto* clearance = std::get_if<RevoluteClearance>(&joint.kind);
+    if (clearance == nullptr) continue;
+    const ContactProperties& contact = clearance->contact;
+    if (contact.name.empty()) {
+      rules.diagnostics.error("E-MODEL-032", fmt::format("joints.{}.contact", joint.name),
+                              fmt::format("joint '{}' has no contact", joint.name));
+      continue;
+    }
+    // Contacts and materials are shared; each is reported once.
+    if (!seen_contacts.insert(contact.name).second) continue;
+    const std::string subject = fmt::format("contact '{}'", contact.name);
+    const std::string path = fmt::format("contacts.{}", contact.name);
+    rules.check_name("a contact", path, contact.name);
+    check_laws(rules, contact, subject, path);
+    rules.check_range("E-MODEL-033",
+                      {subject, path + ".onset_speed_floor", contact.onset_speed_floor, dimension::kSpeed}, kPositive);
+    for (const auto* material : {&contact.bearing_material, &contact.journal_material}) {
+      const bool bearing = material == &contact.bearing_material;
+      if (material->name.empty()) {
+        rules.diagnostics.error("E-MODEL-034", path + (bearing ? ".bearing_material" : ".journal_material"),
+                                fmt::format("{}: the {} has no material", subject, bearing ? "bearing" : "journal"));
+      } else if (seen_materials.insert(material->name).second) {
+        check_material(rules, *material);
+      }
+    }
+  }
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the parts of check() share: the model under check, and the wording of a broken rule. Used by check*.cpp only.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gudgeon/base/diagnostics.h"
+#include "gudgeon/base/parameter_table.h"
+#include "gudgeon/base/vec2.h"
+#include "gudgeon/model/mechanism.h"
+#include "gudgeon/model/study.h"
+
+namespace gudgeon {
+
+class CheckRules {
+ public:
+  CheckRules(const Mechanism& model, const Study& plan, const SourceMap* source)
+      : mechanism(model), study(plan), source_(source) {}
+
+  /// One value of the model: the subject and key name it for the user, the path finds its place.
+  struct Value {
+    std::string subject;  ///< "joint 'A'"
+    std::string path;     ///< "joints.A.radial_clearance"
+    double value;
+    Dimension dimension;
+  };
+
+  /// Demands a finite value within the range.
+  void check_range(std::string_view code, const Value& value, const ParameterRange& range);
+  void check_finite(const std::string& subject, const std::string& path, Vec2 value);
+  /// Demands a non-empty name of letters, digits and '_'.
+  void check_name(const std::string& what, const std::string& path, const std::string& name);
+  /// Says that a name is none of the known ones.
+  void report_unknown(std::string_view code, const std::string& path, const std::string& message, std::string_view name,
+                      std::string_view kind, const std::vector<std::string>& known);
+  /// "\"-0.5 mm\" (-0.0005 m)", or only the SI value when it is not known how it was written.
+  [[nodiscard]] std::string describe(const Value& value) const;
+
+  const Mechanism& mechanism;
+  const Study& study;
+  Diagnostics diagnostics;
+
+ private:
+  const SourceMap* source_;
+};
+
+/// "positive", "not negative", "above 0 and at most 1" …
+std::string describe_range(const ParameterRange& range, Dimension dimension);
+
+template <class Named>
+std::vector<std::string> list_names(const std::vector<Named>& items) {
+  std::vector<std::string> names;
+  for (const Named& item : items) names.push_back(item.name);
+  return names;
+}
+
+void check_bodies(CheckRules& rules);
+void check_joints(CheckRules& rules);
+void check_contacts(CheckRules& rules);
+void check_drivers(CheckRules& rules);
+void check_loads(CheckRules& rules);
+void check_study(CheckRules& rules);
+
+/// Demands that body and point exist.
+void check_anchor(CheckRules& rules, const std::string& subject, const std::string& path, const Anchor& anchor);
+
+}  // namespace gudgeon

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rules for the study: its cycle, its ranges, and wear that has nothing to wear.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gudgeon/model/check_rules.h"
+#include "gudgeon/model/cycle_time.h"
+
+namespace gudgeon {
+
+namespace {
+
+// A cycle time that differs from its driver's by more was not computed from it.
+constexpr double kSameTime = 1e-9;
+
+constexpr ParameterRange from_to(double minimum, double maximum) { return {minimum, maximum, false, false}; }
+constexpr ParameterRange kTolerance{0.0, 1e-2, true, false};
+
+void check_values(CheckRules& rules) {
+  const Study& study = rules.study;
+  const auto count = [&](const char* key, int value, const ParameterRange& range) {
+    const auto number = static_cast<double>(value);
+    rules.check_range("E-STUDY-005", {"study", fmt::format("study.{}", key), number, dimension::kNone}, range);
+  };
+  const auto quantity = [&](const char* key, double value, Dimension dimension, const ParameterRange& range) {
+    rules.check_range("E-STUDY-006", {"study", fmt::format("study.{}", key), value, dimension}, range);
+  };
+  count("cycles", study.cycles, from_to(1, kUnbounded));
+  count("warm_up_cycles", study.warm_up_cycles, kNotNegative);
+  count("wear_stages", study.wear_stages, kNotNegative);
+  count("regions", study.regions, from_to(10, 1e6));
+  count("outputs_per_cycle", study.outputs_per_cycle, from_to(1, kUnbounded));
+  quantity("magnification", study.magnification, dimension::kNone, kPositive);
+  quantity("relative_tolerance", study.relative_tolerance, dimension::kNone, kTolerance);
+  quantity("absolute_tolerance", study.absolute_tolerance, dimension::kNone, kTolerance);
+  quantity("max_step", study.max_step, dimension::kTime, kNotNegative);
+  quantity("baumgarte_alpha", study.baumgarte_alpha, dimension::kPerTime, kNotNegative);
+  quantity("baumgarte_beta", study.baumgarte_beta, dimension::kPerTime, kNotNegative);
+}
+
+/// Demands that a named cycle driver is there, is an angle, and turns.
+bool check_cycle_driver(CheckRules& rules) {
+  const std::string& name = rules.study.cycle_driver;
+  const std::vector<Driver>& drivers = rules.mechanism.drivers;
+  const auto found = std::ranges::find(drivers, name, &Driver::name);
+  if (name.empty()) return true;
+  if (found == drivers.end()) {
+    rules.report_unknown("E-STUDY-001", "study.cycle_driver",
+                         fmt::format("study: cycle_driver is '{}', and no driver has that name", name), name, "drivers",
+                         list_names(drivers));
+  } else if (!std::holds_alternative<DrivenAngle>(found->target)) {
+    rules.diagnostics.error("E-STUDY-002", "study.cycle_driver",
+                            fmt::format("study: cycle_driver '{}' drives a slide, which has no turns", name),
+                            {"give cycle_time instead"});
+  } else if (found->speed == 0.0) {
+    rules.diagnostics.error("E-STUDY-003", "study.cycle_driver",
+                            fmt::format("study: cycle_driver '{}' stands still, so it has no turns", name),
+                            {"give cycle_time instead"});
+  } else {
+    return std::isfinite(found->speed);  // reported with the driver
+  }
+  return false;
+}
+
+void check_cycle(CheckRules& rules) {
+  const Study& study = rules.study;
+  if (!check_cycle_driver(rules)) return;
+  const bool given = study.cycle_time != 0.0;
+  const double time = find_cycle_time(rules.mechanism, study);
+  const CheckRules::Value written{"study", "study.cycle_time", given ? study.cycle_time : time, dimension::kTime};
+  rules.check_range("E-STUDY-004", written, kPositive);
+  if (given && !study.cycle_driver.empty() && std::abs(study.cycle_time - time) > kSameTime * time) {
+    rules.diagnostics.error("E-STUDY-009", "study.cycle_time",
+                            fmt::format("study: cycle_time is {}, but one turn of cycle_driver '{}' takes {:.6g} s",
+                                        rules.describe(written), study.cycle_driver, time));
+  }
+}
+
+bool wears(const AnyWear& wear) { return !std::holds_alternative<NoWear>(wear); }
+
+void check_wear(CheckRules& rules) {
+  const Study& study = rules.study;
+  const bool any_wear = std::ranges::any_of(rules.mechanism.joints, [](const Joint& joint) {
+    const auto* clearance = std::get_if<RevoluteClearance>(&joint.kind);
+    return clearance != nullptr && (wears(clearance->contact.bearing_wear) || wears(clearance->contact.journal_wear));
+  });
+  if (study.wear_stages > 0 && !any_wear) {
+    rules.diagnostics.warning(
+        "W-STUDY-001", "study.wear_stages",
+        fmt::format("study: wear_stages is {}, but no contact of a joint wears", study.wear_stages),
+        {"give a contact a wear law, or set wear_stages = 0"});
+  }
+  if (study.deposition == Deposition::point && study.wear_stages > 0) {
+    rules.diagnostics.remark(
+        "R-STUDY-002", "study.deposition",
+        "study: deposition \"point\" does not conserve the worn volume; its depth depends on regions",
+        {"\"spread\" conserves it"});
+  }
+}
+
+void check_published(CheckRules& rules) {
+  static const std::vector<std::string> kMeasures{"peak", "wear_depth"};
+  for (std::size_t i = 0; i < rules.study.published.size(); ++i) {
+    const PublishedValue& published = rules.study.published[i];
+    const std::string path = fmt::format("study.published.{}", i);
+    const std::string subject = fmt::format("published value {}", i + 1);
+    if (std::ranges::find(kMeasures, published.measure) == kMeasures.end()) {
+      rules.report_unknown("E-STUDY-007", path + ".measure",
+                           fmt::format("{}: there is no measure '{}'", subject, published.measure), published.measure,
+                           "measures", kMeasures);
+    }
+    if (published.channel.empty()) {
+      rules.diagnostics.error("E-STUDY-008", path + ".channel", fmt::format("{}: channel is empty", subject));
+    }
+  }
+}
+
+}  // namespace
+
+void check_study(CheckRules& rules) {
+  check_values(rules);
+  check_cycle(rules);
+  check_wear(rules);
+  check_published(rules);
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every rule of the check, each broken alone in a mechanism that is otherwise good.
+#include "gudgeon/model/check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace gudgeon {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+struct Model {
+  Mechanism mechanism;
+  Study study;
+
+  RevoluteClearance& pin() { return std::get<RevoluteClearance>(mechanism.joints[1].kind); }
+};
+
+Model make_good() {
+  Model model;
+  Mechanism& mechanism = model.mechanism;
+  mechanism.name = "press";
+  mechanism.bodies = {{"frame", 0.0, 0.0, {}, {{"O", {}}, {"G", {}}}, {}},
+                      {"crank", 1.0, 1.0, {}, {{"O", {}}, {"A", {1.0, 0.0}}}, {}},
+                      {"rod", 1.0, 1.0, {}, {{"A", {}}, {"S", {2.0, 0.0}}}, {}},
+                      {"slider", 1.0, 0.0, {}, {{"S", {}}}, {}}};
+  const Material steel{"steel", 200e9, 0.3};
+  const ContactProperties contact{
+      "pin",          steel,         steel, LankaraniNikravesh{}, CoulombSmooth{.kinetic_coefficient = 0.1},
+      Archard{1e-14}, Archard{1e-14}};
+  mechanism.joints = {{"O", Revolute{{"frame", "O"}, {"crank", "O"}}},
+                      {"A", RevoluteClearance{{"crank", "A"}, {"rod", "A"}, 0.01, 0.0005, 0.02, contact}},
+                      {"S", Revolute{{"rod", "S"}, {"slider", "S"}}},
+                      {"guide", Prismatic{{"frame", "G"}, {"slider", "S"}, 0.0, 0.0, {}, {}}}};
+  mechanism.drivers = {{"crank", DrivenAngle{"crank"}, 0.0, 1.0}};
+  mechanism.loads = {{"push", ConstantForce{{"slider", "S"}, {1.0, 0.0}}}, {"brake", ConstantTorque{"crank", 1.0}}};
+  model.study.cycle_driver = "crank";
+  model.study.wear_stages = 1;
+  return model;
+}
+
+TEST(Check, FindsNothingInAGoodModel) {
+  const Model model = make_good();
+  EXPECT_EQ(render(check(model.mechanism, model.study), {}), "");
+}
+
+struct Broken {
+  const char* code;
+  const char* path;
+  const char* message;  ///< a part of what is rendered
+  std::function<void(Model&)> spoil;
+};
+
+class CheckFinds : public testing::TestWithParam<Broken> {};
+
+TEST_P(CheckFinds, TheBrokenRule) {
+  Model model = make_good();
+  GetParam().spoil(model);
+  const Diagnostics found = check(model.mechanism, model.study);
+  const auto hit = std::ranges::find_if(found.items(), [](const Diagnostic& item) {
+    return item.code == GetParam().code && item.path == GetParam().path;
+  });
+  const std::string text = render(found, {});
+  EXPECT_NE(hit, found.items().end()) << text;
+  EXPECT_NE(text.find(GetParam().message), std::string::npos) << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bodies, CheckFinds,
+    testing::Values(
+        Broken{"E-MODEL-001", "bodies.a b", "'a b'", [](Model& m) { m.mechanism.bodies[2].name = "a b"; }},
+        Broken{"E-MODEL-001", "name", "the mechanism", [](Model& m) { m.mechanism.name = ""; }},
+        Broken{"E-MODEL-002", "bodies.crank", "another body", [](Model& m) { m.mechanism.bodies[2].name = "crank"; }},
+        Broken{"E-MODEL-003", "bodies.rod.mass", "mass is 0 kg; it must be positive",
+               [](Model& m) { m.mechanism.bodies[2].mass = 0.0; }},
+        Broken{"E-MODEL-003", "bodies.rod.mass", "nan kg", [](Model& m) { m.mechanism.bodies[2].mass = kNan; }},
+        Broken{"E-MODEL-004", "bodies.rod.inertia", "not negative",
+               [](Model& m) { m.mechanism.bodies[2].inertia = -1.0; }},
+        Broken{"E-MODEL-005", "bodies.rod.points.A", "finite",
+               [](Model& m) { m.mechanism.bodies[2].points[0].position.x = kNan; }},
+        Broken{"E-MODEL-005", "bodies.rod.start.angle", "finite",
+               [](Model& m) { m.mechanism.bodies[2].start.angle = kNan; }},
+        Broken{"E-MODEL-005", "gravity", "finite", [](Model& m) { m.mechanism.gravity.y = kNan; }},
+        Broken{"E-MODEL-006", "bodies.rod.inertia", "point mass",
+               [](Model& m) {
+                 m.mechanism.bodies[2].inertia = 0.0;
+                 m.mechanism.joints.erase(m.mechanism.joints.begin() + 2);
+               }},
+        Broken{"E-MODEL-007", "bodies", "frame", [](Model& m) { m.mechanism.bodies.clear(); }},
+        Broken{"E-MODEL-008", "bodies", "no moving body", [](Model& m) { m.mechanism.bodies.resize(1); }},
+        Broken{"R-MODEL-105", "bodies.stone", "moves freely",
+               [](Model& m) {
+                 m.mechanism.bodies.push_back({"stone", 1.0, 1.0, {}, {}, {}});
+               }},
+        Broken{"R-MODEL-106", "bodies.crank", "bodies crank, rod hang together", [](Model& m) {
+                 auto& joints = m.mechanism.joints;
+                 joints.erase(joints.begin() + 2);
+                 joints.erase(joints.begin());
+               }}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Joints, CheckFinds,
+    testing::Values(
+        Broken{"E-MODEL-012", "joints.A.radial_clearance",
+               "joint 'A': radial_clearance is -0.0005 m; it must be positive",
+               [](Model& m) { m.pin().radial_clearance = -0.0005; }},
+        Broken{"E-MODEL-012", "joints.A.bearing_radius", "positive", [](Model& m) { m.pin().bearing_radius = 0.0; }},
+        Broken{"E-MODEL-012", "joints.A.width", "positive", [](Model& m) { m.pin().width = kNan; }},
+        Broken{"E-MODEL-013", "joints.A.radial_clearance", "below the bearing_radius",
+               [](Model& m) { m.pin().radial_clearance = 0.01; }},
+        Broken{"R-MODEL-103", "joints.A.radial_clearance", "20 %", [](Model& m) { m.pin().radial_clearance = 0.002; }},
+        Broken{"E-MODEL-021", "joints.A.journal", "Did you mean 'rod'?",
+               [](Model& m) { m.pin().journal.body = "rood"; }},
+        Broken{"E-MODEL-022", "joints.O.between.1", "points of 'crank' are: O, A",
+               [](Model& m) { std::get<Revolute>(m.mechanism.joints[0].kind).second.point = "Q"; }},
+        Broken{"E-MODEL-023", "joints.O.between", "with itself",
+               [](Model& m) {
+                 std::get<Revolute>(m.mechanism.joints[0].kind).first = {"crank", "A"};
+               }},
+        Broken{"E-MODEL-005", "joints.guide.direction", "finite",
+               [](Model& m) { std::get<Prismatic>(m.mechanism.joints[3].kind).direction = kNan; }},
+        Broken{"E-MODEL-030", "contacts.pin.normal_force.restitution", "above 0 and at most 1",
+               [](Model& m) { m.pin().contact.normal_force = LankaraniNikravesh{.restitution = 1.5}; }},
+        Broken{"E-MODEL-030", "contacts.pin.friction.kinetic_coefficient", "nan",
+               [](Model& m) { m.pin().contact.friction = CoulombSmooth{}; }},
+        Broken{"E-MODEL-030", "contacts.pin.bearing_wear.coefficient", "1/Pa",
+               [](Model& m) { m.pin().contact.bearing_wear = Archard{-1.0}; }},
+        Broken{"E-MODEL-031", "materials.steel.young_modulus", "positive",
+               [](Model& m) { m.pin().contact.bearing_material.young_modulus = 0.0; }},
+        Broken{"E-MODEL-031", "materials.steel.poisson_ratio", "below 0.5",
+               [](Model& m) { m.pin().contact.bearing_material.poisson_ratio = 0.5; }},
+        Broken{"E-MODEL-032", "joints.A.contact", "no contact", [](Model& m) { m.pin().contact.name = ""; }},
+        Broken{"E-MODEL-033", "contacts.pin.onset_speed_floor", "positive",
+               [](Model& m) { m.pin().contact.onset_speed_floor = 0.0; }},
+        Broken{"E-MODEL-034", "contacts.pin.journal_material", "no material",
+               [](Model& m) { m.pin().contact.journal_material = {}; }},
+        Broken{"R-MODEL-101", "contacts.pin.normal_force.restitution", "delivers 0.725",
+               [](Model& m) { m.pin().contact.normal_force = LankaraniNikravesh{.restitution = 0.5}; }},
+        Broken{"R-MODEL-102", "contacts.pin.friction.static_coefficient", "below the kinetic", [](Model& m) {
+                 m.pin().contact.friction = LugreSteady{.static_coefficient = 0.1, .kinetic_coefficient = 0.2};
+               }}));
+
+INSTANTIATE_TEST_SUITE_P(
+    DriversLoadsStudy, CheckFinds,
+    testing::Values(
+        Broken{"E-MODEL-040", "drivers.crank.body", "Did you mean 'crank'?",
+               [](Model& m) { m.mechanism.drivers[0].target = DrivenAngle{"crnk"}; }},
+        Broken{"E-MODEL-040", "drivers.crank.slide", "joints are: O, A, S, guide",
+               [](Model& m) { m.mechanism.drivers[0].target = DrivenSlide{"rail"}; }},
+        Broken{"E-MODEL-041", "drivers.crank.body", "frame",
+               [](Model& m) { m.mechanism.drivers[0].target = DrivenAngle{"frame"}; }},
+        Broken{"E-MODEL-042", "drivers.two", "more than one driver",
+               [](Model& m) {
+                 m.mechanism.drivers.push_back({"two", DrivenAngle{"crank"}, 0.0, 1.0});
+               }},
+        Broken{"E-MODEL-043", "drivers.crank.slide", "not prismatic",
+               [](Model& m) { m.mechanism.drivers[0].target = DrivenSlide{"O"}; }},
+        Broken{"E-MODEL-005", "drivers.crank.speed", "finite", [](Model& m) { m.mechanism.drivers[0].speed = kNan; }},
+        Broken{"R-MODEL-107", "drivers.crank.start", "the driver's holds",
+               [](Model& m) { m.mechanism.bodies[1].start.angle = 1.0; }},
+        Broken{"E-MODEL-050", "loads.brake.body", "no body",
+               [](Model& m) {
+                 m.mechanism.loads[1].kind = ConstantTorque{"x", 1.0};
+               }},
+        Broken{"E-MODEL-022", "loads.push.point", "no point 'T'",
+               [](Model& m) {
+                 m.mechanism.loads[0].kind = ConstantForce{{"slider", "T"}, {}};
+               }},
+        Broken{"E-STUDY-001", "study.cycle_driver", "drivers are: crank", [](Model& m) { m.study.cycle_driver = "x"; }},
+        Broken{"E-STUDY-002", "study.cycle_driver", "no turns",
+               [](Model& m) { m.mechanism.drivers[0].target = DrivenSlide{"guide"}; }},
+        Broken{"E-STUDY-003", "study.cycle_driver", "stands still",
+               [](Model& m) { m.mechanism.drivers[0].speed = 0.0; }},
+        Broken{"E-STUDY-004", "study.cycle_time", "positive",
+               [](Model& m) {
+                 m.study.cycle_driver = "";
+                 m.study.cycle_time = -1.0;
+               }},
+        Broken{"E-STUDY-005", "study.cycles", "at least 1", [](Model& m) { m.study.cycles = 0; }},
+        Broken{"E-STUDY-005", "study.warm_up_cycles", "not negative", [](Model& m) { m.study.warm_up_cycles = -1; }},
+        Broken{"E-STUDY-005", "study.wear_stages", "not negative", [](Model& m) { m.study.wear_stages = -1; }},
+        Broken{"E-STUDY-005", "study.regions", "at least 10 and at most 1e+06", [](Model& m) { m.study.regions = 9; }},
+        Broken{"E-STUDY-005", "study.outputs_per_cycle", "at least 1", [](Model& m) { m.study.outputs_per_cycle = 0; }},
+        Broken{"E-STUDY-006", "study.magnification", "positive", [](Model& m) { m.study.magnification = 0.0; }},
+        Broken{"E-STUDY-006", "study.relative_tolerance", "above 0 and at most 0.01",
+               [](Model& m) { m.study.relative_tolerance = 0.1; }},
+        Broken{"E-STUDY-006", "study.max_step", "not negative", [](Model& m) { m.study.max_step = -1.0; }},
+        Broken{"E-STUDY-007", "study.published.0.measure", "Did you mean 'peak'?",
+               [](Model& m) {
+                 m.study.published = {{"q", "c", "peek", {}}};
+               }},
+        Broken{"E-STUDY-008", "study.published.0.channel", "empty",
+               [](Model& m) {
+                 m.study.published = {{"q", "", "peak", {}}};
+               }},
+        Broken{"E-STUDY-009", "study.cycle_time", "one turn", [](Model& m) { m.study.cycle_time = 1.0; }},
+        Broken{"W-STUDY-001", "study.wear_stages", "no contact of a joint wears",
+               [](Model& m) { m.pin().contact.bearing_wear = m.pin().contact.journal_wear = NoWear{}; }},
+        Broken{"R-STUDY-002", "study.deposition", "conserve",
+               [](Model& m) { m.study.deposition = Deposition::point; }}));
+
+TEST(Check, ReportsEverythingAtOnce) {
+  Model model = make_good();
+  model.mechanism.bodies[1].mass = 0.0;
+  model.pin().width = 0.0;
+  model.study.cycles = 0;
+  EXPECT_EQ(check(model.mechanism, model.study).items().size(), 3U);
+}
+
+TEST(Check, ShowsHowAValueWasWritten) {
+  Model model = make_good();
+  model.pin().radial_clearance = -0.0005;
+  SourceMap source;
+  source.written["joints.A.radial_clearance"] = "\"-0.5 mm\"";
+  EXPECT_EQ(check(model.mechanism, model.study, &source).items()[0].message,
+            "joint 'A': radial_clearance is \"-0.5 mm\" (-0.0005 m); it must be positive");
+}
+
+}  // namespace
+}  // namespace gudgeon
