@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Mechanisms for tests, as plain descriptions that assemble from their start guesses. Values are uneven on purpose
+// (offset centres of mass, oblique gravity, pivots off the origin), so that a wrong sign or a swapped axis shows.
+// Driven bodies carry no start angle; start rates are given for the free coordinates only.
+#pragma once
+
+#include <vector>
+
+#include "gudgeon/model/mechanism.h"
+
+namespace gudgeon::oracle {
+
+/// n bars hanging one on the other, n degrees of freedom.
+Mechanism make_pendulum_chain(int n);
+/// A01: a point mass of 1 kg on a massless bar of 1 m, from (−1, 0) at rest; the bar has no inertia.
+Mechanism make_point_mass_pendulum();
+/// Swinging arm, a body fixed to its tip at an angle, and a pendulum on that; 2 degrees of freedom.
+Mechanism make_rigid_chain();
+
+/// Offset slider-crank with an oblique guide and a force on the slider, 1 degree of freedom.
+Mechanism make_slider_crank();
+/// The slider-crank of benchmarks.md: 0.1 N m on the crank from rest, no gravity.
+Mechanism make_slider_crank_torque();
+/// The slider-crank of Flores and Ambrosio: driven at 5000 rpm from the outer dead centre, clearance joint "pin"
+/// between rod (bearing) and slider (journal), no friction, no gravity.
+Mechanism make_slider_crank_clearance();
+
+/// Four-bar with a torque on the crank and a force on the coupler, 1 degree of freedom.
+Mechanism make_four_bar();
+/// Five-bar, 2 degrees of freedom, both cranks with start rates.
+Mechanism make_five_bar();
+/// Three equal cranks on one coupler: one constraint row is redundant, 1 degree of freedom.
+Mechanism make_parallelogram();
+/// A02: n loops, 1 degree of freedom, the first top joint at 1 m/s along x.
+Mechanism make_n_four_bar(int n);
+
+/// Quick-return: a block on the crank pin slides along a slotted rocker, which pushes a ram; 1 degree of freedom.
+Mechanism make_six_bar_slide();
+/// A body on an oblique guide, a second one on a perpendicular guide on the first, a pendulum on the second; 3.
+Mechanism make_two_slides();
+/// A block driven along a freely swinging arm, with a pendulum on the block; 2 degrees of freedom.
+Mechanism make_driven_slide();
+
+/// A disc whose journal sits off its centre in a bearing of the frame, with friction; 3 degrees of freedom.
+Mechanism make_free_body_in_bearing();
+/// Two free bodies that meet only in one clearance joint; no joint leads to the frame and there is no gravity.
+Mechanism make_free_pair();
+/// The paper's press (nine_bar.md): clearance joints A and B, Lankarani-Nikravesh, lugre_steady, archard.
+Mechanism make_nine_bar();
+
+/// One of each.
+std::vector<Mechanism> make_all_mechanisms();
+
+}  // namespace gudgeon::oracle
