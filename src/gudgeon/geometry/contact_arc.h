@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How much of the circumference a journal touches when it is pressed into its bearing.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace gudgeon {
+
+struct ContactArc {
+  double half_angle;  ///< β [rad], from the line of centres to where the two circles intersect
+  double length;      ///< R_i sin β [m], taken as the whole arc in contact
+};
+
+/// cos β = (e² + R_i² − R_j²)/(2 e R_i), arc length R_i sin β, with e = R_i − R_j + δ.
+///
+/// The real arc is narrower than the geometric overlap; the paper takes half the chord for it. δ → 0: both vanish as
+/// √δ. δ so large that the circles no longer intersect: half the circumference. Eqs. (26) to (28) of the paper,
+/// written with 1 − cos β = δ (2 R_j − δ)/(2 e R_i), which loses no digits at small δ.
+inline ContactArc find_contact_arc(double penetration, double bearing_radius, double journal_radius) noexcept {
+  if (!(penetration > 0.0)) return {0.0, 0.0};
+  const double eccentricity = bearing_radius - journal_radius + penetration;
+  const double versine = penetration * (2.0 * journal_radius - penetration) /
+                         (2.0 * eccentricity * bearing_radius);
+  const double clamped = std::min(versine, 1.0);  // beyond a quarter turn the half chord is the radius itself
+  const double sine = std::sqrt(clamped * (2.0 - clamped));
+  return {std::atan2(sine, 1.0 - clamped), bearing_radius * sine};
+}
+
+}  // namespace gudgeon

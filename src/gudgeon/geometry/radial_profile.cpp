@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Evaluation of the periodic B-spline.
+#include "gudgeon/geometry/radial_profile.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <numbers>
+
+namespace gudgeon {
+
+RadialProfile::RadialProfile(std::vector<double> region_depths) : depths_(std::move(region_depths)) {
+  if (!depths_.empty()) least_depth_ = *std::ranges::min_element(depths_);
+  worn_ = std::ranges::any_of(depths_, [](double depth) { return depth != 0.0; });
+  if (!worn_) return;
+  assert(depths_.size() >= 4);
+  regions_per_radian_ = static_cast<double>(depths_.size()) / (2.0 * std::numbers::pi);
+  padded_.push_back(depths_.back());
+  padded_.insert(padded_.end(), depths_.begin(), depths_.end());
+  padded_.insert(padded_.end(), {depths_[0], depths_[1], depths_[2]});
+}
+
+RadialProfile::Value RadialProfile::eval(double angle) const noexcept {
+  if (!worn_) return {0.0, 0.0};
+  // Position in regions from the centre of region 0, wrapped into [0, n).
+  const double n = static_cast<double>(depths_.size());
+  double position = angle * regions_per_radian_ - 0.5;
+  position -= n * std::floor(position / n);
+  const double whole = std::floor(position);
+  const double f = position - whole;
+  // The wrapped position may round to n itself; the padding covers that. An angle too large to wrap has no depth.
+  if (!(position >= 0.0 && position <= n)) {
+    const double nothing = std::numeric_limits<double>::quiet_NaN();
+    return {nothing, nothing};
+  }
+  const double* h = &padded_[static_cast<std::size_t>(whole)];
+
+  const double g = 1.0 - f;
+  const double f2 = f * f;
+  const double g2 = g * g;
+  const double depth = (h[0] * g2 * g + h[1] * (4.0 - 6.0 * f2 + 3.0 * f2 * f) + h[2] * (4.0 - 6.0 * g2 + 3.0 * g2 * g) +
+                        h[3] * f2 * f) / 6.0;
+  const double slope = 0.5 * (-h[0] * g2 + h[1] * (3.0 * f2 - 4.0 * f) - h[2] * (3.0 * g2 - 4.0 * g) + h[3] * f2);
+  return {depth, slope * regions_per_radian_};
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Gauss-Newton on the loop closures of the ideal mechanism, from the guessed angles and displacements.
+#include "gudgeon/system/assembly.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "gudgeon/system/closure_rank.h"
+#include "gudgeon/system/dynamics.h"
+#include "gudgeon/system/poses.h"
+
+namespace gudgeon {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Closed is when the largest gap is at rounding of the mechanism's size.
+constexpr double kClosedShare = 1e-13;
+constexpr int kMostIterations = 200;
+
+class Assembler {
+ public:
+  Assembler(const Mechanism& mechanism, double time)
+      : mechanism_(make_ideal(mechanism)),
+        time_(time),
+        topology_(find_topology(mechanism_)),
+        tables_(compile_tables(mechanism_, topology_)),
+        workspace_(tables_),
+        q_(VectorXd::Zero(tables_.counts.n_free())),
+        v_(VectorXd::Zero(tables_.counts.n_free())) {
+    for (const ClosureTerm& term : tables_.closure_terms) size_ = std::max(size_, norm(term.vector));
+  }
+
+  Assembly assemble() {
+    const std::vector<double> guesses = make_guess();
+    if (!close_loops()) throw_open_loop();
+    find_rates();
+    Assembly assembly;
+    update();
+    assembly.poses = find_poses(mechanism_, topology_, workspace_.coordinates);
+    assembly.branches = find_branches(assembly.poses);
+    assembly.closure_residual = tables_.closures.empty() ? 0.0 : find_closure_gaps(workspace_).cwiseAbs().maxCoeff();
+    for (std::size_t b = 0; b < guesses.size(); ++b) {
+      assembly.angle_changes.push_back(std::remainder(assembly.poses[b].angle - guesses[b], 2.0 * std::numbers::pi));
+    }
+    return assembly;
+  }
+
+ private:
+  void update() {
+    update_coordinates(tables_, time_, q_.data(), v_.data(), workspace_.coordinates);
+    update_closures(tables_, workspace_);
+  }
+
+  // Fills q_; returns the guessed angle of every body.
+  std::vector<double> make_guess() {
+    const CoordinateCounts& counts = tables_.counts;
+    std::vector<bool> given(counts.n_turns(), false);
+    for (std::size_t b = 1; b < mechanism_.bodies.size(); ++b) {
+      const BodyNode& node = topology_.bodies[b];
+      const auto& angle = mechanism_.bodies[b].start.angle;
+      if (node.turn >= counts.n_free_turns || !angle || given[node.turn]) continue;
+      q_(node.turn) = *angle - node.offset;
+      given[node.turn] = true;
+    }
+    for (int s = 0; s < counts.n_free_slides; ++s) {
+      if (const int joint = topology_.free_slide_joint[s]; joint >= 0) {
+        q_(counts.n_free_turns + s) =
+            std::get<Prismatic>(mechanism_.joints[joint].kind).start_displacement.value_or(0.0);
+      }
+    }
+    update();
+    for (const auto& [body, slide] : topology_.loose) {
+      const Body& description = mechanism_.bodies[body];
+      const double angle = workspace_.coordinates.angle[topology_.bodies[body].turn] + topology_.bodies[body].offset;
+      const Vec2 centre = description.start.position.value_or(Vec2{}) + make_rotation(angle) * description.center_of_mass;
+      q_(counts.n_free_turns + slide) = centre.x;
+      q_(counts.n_free_turns + slide + 1) = centre.y;
+    }
+    update();
+    std::vector<double> guesses;
+    for (const BodyNode& node : topology_.bodies) guesses.push_back(workspace_.coordinates.angle[node.turn] + node.offset);
+    return guesses;
+  }
+
+  // Each step is the least change of the coordinates that closes the linearised loops, shortened so that no body turns
+  // by more than half a radian and the gaps shrink.
+  bool close_loops() {
+    if (tables_.closures.empty()) return true;
+    update();
+    double error = find_closure_gaps(workspace_).norm();
+    for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+      if (error <= kClosedShare * size_) return true;
+      const MatrixXd jacobian = find_closure_jacobian(tables_, workspace_);
+      Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
+      solver.setThreshold(kRankThreshold);
+      solver.compute(jacobian);
+      const VectorXd step = solver.solve(-find_closure_gaps(workspace_));
+      const double largest = step.size() > 0 ? step.cwiseAbs().maxCoeff() : 0.0;
+      double share = largest > 0.5 ? 0.5 / largest : 1.0;
+      const VectorXd start = q_;
+      bool shrunk = false;
+      for (int attempt = 0; attempt < 30 && !shrunk; ++attempt, share *= 0.5) {
+        q_ = start + share * step;
+        update();
+        shrunk = find_closure_gaps(workspace_).norm() < error;
+      }
+      const double closed = find_closure_gaps(workspace_).norm();
+      if (!shrunk) {
+        q_ = start;
+        update();
+        return error <= 100.0 * kClosedShare * size_;  // rounding stops progress just above the aim
+      }
+      error = closed;
+    }
+    return false;
+  }
+
+  [[noreturn]] void throw_open_loop() {
+    Diagnostics diagnostics;
+    for (std::size_t c = 0; c < tables_.closures.size(); ++c) {
+      const double gap = norm(workspace_.closure_gap[c]);
+      if (gap <= 1e-9 * size_) continue;
+      const Joint& joint = mechanism_.joints[tables_.closures[c].joint];
+      const auto [first, second] = anchors(joint.kind);
+      diagnostics.error("E-MODEL-070", "joints." + joint.name,
+                        fmt::format("joint '{}' cannot be closed: {}.{} and {}.{} stay {:.6g} mm apart", joint.name,
+                                    first.body, first.point, second.body, second.point, 1e3 * gap),
+                        {"check lengths and pivots, or give start angles nearer to a position that closes"});
+    }
+    throw ModelError(diagnostics);
+  }
+
+  // The smallest rates that keep the loops closed and have every given start rate.
+  void find_rates() {
+    const CoordinateCounts& counts = tables_.counts;
+    update();
+    std::vector<Eigen::RowVectorXd> rows;
+    std::vector<double> demands;
+    std::vector<std::string> origins;
+    const auto demand = [&](Index column, double rate, const std::string& path) {
+      rows.push_back(Eigen::RowVectorXd::Unit(v_.size(), column));
+      demands.push_back(rate);
+      origins.push_back(path);
+    };
+    for (std::size_t b = 1; b < mechanism_.bodies.size(); ++b) {
+      const Body& body = mechanism_.bodies[b];
+      const BodyNode& node = topology_.bodies[b];
+      if (body.start.angle_rate && node.turn < counts.n_free_turns) {
+        demand(node.turn, *body.start.angle_rate, "bodies." + body.name + ".start.angle_rate");
+      }
+    }
+    for (int s = 0; s < counts.n_free_slides; ++s) {
+      const int joint = topology_.free_slide_joint[s];
+      if (joint < 0) continue;
+      const auto& speed = std::get<Prismatic>(mechanism_.joints[joint].kind).start_speed;
+      if (speed) demand(counts.n_free_turns + s, *speed, "joints." + mechanism_.joints[joint].name + ".start.speed");
+    }
+    for (const auto& [body, slide] : topology_.loose) {
+      const Body& description = mechanism_.bodies[body];
+      if (!description.start.velocity) continue;
+      const Vec2 arm = make_rotation(workspace_.coordinates.angle[topology_.bodies[body].turn] +
+                                     topology_.bodies[body].offset) * description.center_of_mass;
+      const Vec2 turning = description.start.angle_rate.value_or(0.0) * perp(arm);
+      demand(counts.n_free_turns + slide, description.start.velocity->x + turning.x, "bodies." + description.name);
+      demand(counts.n_free_turns + slide + 1, description.start.velocity->y + turning.y, "bodies." + description.name);
+    }
+
+    const MatrixXd jacobian = find_closure_jacobian(tables_, workspace_);
+    MatrixXd matrix(jacobian.rows() + static_cast<Index>(rows.size()), jacobian.cols());
+    VectorXd right(matrix.rows());
+    if (matrix.rows() == 0) return;
+    // With v = 0 the closure rates are what the drivers ask for.
+    matrix.topRows(jacobian.rows()) = jacobian;
+    right.head(jacobian.rows()) = -find_closure_rates(workspace_);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      matrix.row(jacobian.rows() + static_cast<Index>(k)) = rows[k];
+      right(jacobian.rows() + static_cast<Index>(k)) = demands[k];
+    }
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
+    solver.setThreshold(kRankThreshold);
+    solver.compute(matrix);
+    v_ = solver.solve(right);
+    const VectorXd rest = matrix * v_ - right;
+    const double scale = right.cwiseAbs().maxCoeff();
+    if (rest.cwiseAbs().maxCoeff() > 1e-9 * scale) throw_rate_conflict(rest.tail(static_cast<Index>(rows.size())), origins);
+  }
+
+  [[noreturn]] void throw_rate_conflict(const VectorXd& rest, const std::vector<std::string>& origins) {
+    Diagnostics diagnostics;
+    for (std::size_t k = 0; k < origins.size(); ++k) {
+      diagnostics.error("E-MODEL-071", origins[k],
+                        fmt::format("start rates conflict: '{}' is missed by {:.3g} (SI)", origins[k],
+                                    rest(static_cast<Index>(k))),
+                        {"give as many start rates as the mechanism has degrees of freedom, no more"});
+    }
+    if (origins.empty()) {
+      diagnostics.error("E-MODEL-072", "", "the drivers ask for speeds that the joints do not permit here",
+                        {"the start position is singular or the drivers contradict each other"});
+    }
+    throw ModelError(diagnostics);
+  }
+
+  // At a joint that closes a loop, the two links run from the joints by which their bodies hang in the tree.
+  std::vector<LoopBranch> find_branches(const std::vector<BodyPose>& poses) const {
+    std::vector<LoopBranch> branches;
+    for (const Closure& closure : topology_.closures) {
+      const Joint& joint = mechanism_.joints[closure.joint];
+      const auto [first, second] = anchors(joint.kind);
+      const int a = find_body(mechanism_, first.body);
+      const int b = find_body(mechanism_, second.body);
+      const Vec2 at = find_world_point(first, poses);
+      const Vec2 from_a = at - find_inboard_point(a, poses);
+      Vec2 to_b = find_inboard_point(b, poses) - at;
+      if (closure.is_line) {
+        const auto& prismatic = std::get<Prismatic>(joint.kind);
+        const Rotation along = make_rotation(poses[a].angle + prismatic.direction);
+        const Vec2 link = find_world_point(second, poses) - find_inboard_point(b, poses);
+        const double length = norm(link);
+        branches.push_back({joint.name, first.body, second.body,
+                            length > 0.0 ? cross({along.c, along.s}, link) / length : 0.0});
+        continue;
+      }
+      const double lengths = norm(from_a) * norm(to_b);
+      branches.push_back({joint.name, first.body, second.body, lengths > 0.0 ? cross(from_a, to_b) / lengths : 0.0});
+    }
+    return branches;
+  }
+
+  Vec2 find_world_point(const Anchor& anchor, const std::vector<BodyPose>& poses) const {
+    const int body = find_body(mechanism_, anchor.body);
+    return poses[body].find_point(find_point(mechanism_.bodies[body], anchor.point)->position);
+  }
+
+  Vec2 find_inboard_point(int body, const std::vector<BodyPose>& poses) const {
+    const int joint = topology_.bodies[body].joint;
+    if (joint < 0) return poses[body].position;
+    const auto [first, second] = anchors(mechanism_.joints[joint].kind);
+    return find_world_point(find_body(mechanism_, first.body) == body ? first : second, poses);
+  }
+
+  Mechanism mechanism_;
+  double time_;
+  Topology topology_;
+  Tables tables_;
+  Workspace workspace_;
+  VectorXd q_;
+  VectorXd v_;
+  double size_ = 0.0;  // longest vector of any closure [m]
+};
+
+}  // namespace
+
+Assembly assemble(const Mechanism& mechanism, double time) { return Assembler(mechanism, time).assemble(); }
+
+}  // namespace gudgeon

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One chain through all centres of mass.
+#include "gudgeon/system/body_motion.h"
+
+namespace gudgeon {
+
+BodyMotionFinder::BodyMotionFinder(const System& system) : system_(&system) {
+  const Mechanism& mechanism = system.mechanism;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const Path path = system.topology.find_path(static_cast<int>(b), mechanism.bodies[b].center_of_mass);
+    rows_.push_back(chain_.add(path, system.topology.counts));
+  }
+  points_.resize(chain_.rows().size());
+  accelerations_.resize(chain_.rows().size());
+  angle_accelerations_.assign(system.topology.counts.n_turns(), 0.0);
+  slide_accelerations_.assign(system.topology.counts.n_slides(), 0.0);
+  motions_.resize(mechanism.bodies.size());
+}
+
+const std::vector<BodyMotion>& BodyMotionFinder::update(const Workspace& workspace) noexcept {
+  const CoordinateCounts& counts = system_->topology.counts;
+  for (int k = 0; k < counts.n_free_turns; ++k) angle_accelerations_[k] = workspace.equations[k];
+  for (int k = 0; k < counts.n_free_slides; ++k) {
+    slide_accelerations_[k] = workspace.equations[counts.n_free_turns + k];
+  }
+  chain_.find_motions(workspace.coordinates, points_.data());
+  chain_.find_accelerations(workspace.coordinates, angle_accelerations_.data(), slide_accelerations_.data(),
+                            accelerations_.data());
+  for (std::size_t b = 0; b < motions_.size(); ++b) {
+    const BodyNode& node = system_->topology.bodies[b];
+    motions_[b] = {points_[rows_[b]].position,
+                   points_[rows_[b]].velocity,
+                   accelerations_[rows_[b]],
+                   workspace.coordinates.angle[node.turn] + node.offset,
+                   workspace.coordinates.angle_rate[node.turn],
+                   angle_accelerations_[node.turn]};
+  }
+  return motions_;
+}
+
+double find_kinetic_energy(const Mechanism& mechanism, const std::vector<BodyMotion>& motions) noexcept {
+  double energy = 0.0;
+  for (std::size_t b = 1; b < motions.size(); ++b) {
+    const Body& body = mechanism.bodies[b];
+    const BodyMotion& motion = motions[b];
+    energy += 0.5 * (body.mass * dot(motion.velocity, motion.velocity) +
+                     body.inertia * motion.angle_rate * motion.angle_rate);
+  }
+  return energy;
+}
+
+double find_potential_energy(const Tables& tables, const Coordinates& coordinates) noexcept {
+  double energy = 0.0;
+  for (const FieldTerm& field : tables.fields) {
+    const Rotation r = coordinates.rotation[field.turn];
+    energy -= coordinates.slide[field.slide] * (field.dot * r.c + field.cross * r.s);
+  }
+  for (const TurnTorque& torque : tables.torques) energy -= torque.torque * coordinates.angle[torque.turn];
+  return energy;
+}
+
+double find_elastic_energy(const Workspace& workspace) noexcept {
+  double energy = 0.0;
+  for (const ContactForces& forces : workspace.contact_forces) energy += forces.elastic_energy;
+  return energy;
+}
+
+}  // namespace gudgeon

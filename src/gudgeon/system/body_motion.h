@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Full motion of all bodies from a solved state, and the energies that follow from it.
+#pragma once
+
+#include <vector>
+
+#include "gudgeon/system/system.h"
+#include "gudgeon/system/workspace.h"
+
+namespace gudgeon {
+
+/// Motion of one body's centre of mass and of its angle.
+struct BodyMotion {
+  Vec2 position;                    ///< [m]
+  Vec2 velocity;                    ///< [m/s]
+  Vec2 acceleration;                ///< [m/s^2]
+  double angle = 0.0;               ///< [rad]
+  double angle_rate = 0.0;          ///< [rad/s]
+  double angle_acceleration = 0.0;  ///< [rad/s^2]
+};
+
+/// Finds the motion of all bodies; compiled once, holds its own scratch memory.
+class BodyMotionFinder {
+ public:
+  explicit BodyMotionFinder(const System& system);
+
+  /// From the workspace's last eval_dynamics; one entry a body, the frame's first.
+  const std::vector<BodyMotion>& update(const Workspace& workspace) noexcept;
+  [[nodiscard]] const std::vector<BodyMotion>& motions() const { return motions_; }
+
+ private:
+  const System* system_;
+  PointChain chain_;
+  std::vector<int> rows_;  // of each body's centre of mass
+  std::vector<PointChain::PointMotion> points_;
+  std::vector<Vec2> accelerations_;
+  std::vector<double> angle_accelerations_;  // one a turn; driven and frame stay zero
+  std::vector<double> slide_accelerations_;
+  std::vector<BodyMotion> motions_;
+};
+
+/// Kinetic energy [J] of all bodies: ½ m v² + ½ I θ̇².
+double find_kinetic_energy(const Mechanism& mechanism, const std::vector<BodyMotion>& motions) noexcept;
+
+/// Potential energy [J] of gravity, constant forces and torques, relative to the frame's origin and zero angles.
+double find_potential_energy(const Tables& tables, const Coordinates& coordinates) noexcept;
+
+/// Energy [J] stored in all contacts, from the last evaluation.
+double find_elastic_energy(const Workspace& workspace) noexcept;
+
+}  // namespace gudgeon

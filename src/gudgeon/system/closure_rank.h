@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Dense looks at the closure Jacobian, for everything that happens outside the time loop.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "gudgeon/system/workspace.h"
+
+namespace gudgeon {
+
+/// J of all closures at workspace.coordinates: two rows a closure (the second of a line is zero), one column a free
+/// coordinate. Rows that are not enforced are included.
+Eigen::MatrixXd find_closure_jacobian(const Tables& tables, const Workspace& workspace);
+
+/// Gaps φ of all closures, two entries each, after update_closures.
+Eigen::VectorXd find_closure_gaps(const Workspace& workspace);
+/// Rates φ̇ of all closures, two entries each, after update_closures.
+Eigen::VectorXd find_closure_rates(const Workspace& workspace);
+
+/// Rank of a Jacobian whose rows are lengths per radian: singular values below this share of the largest count as zero.
+inline constexpr double kRankThreshold = 1e-8;
+
+struct RowRank {
+  int rank = 0;
+  ActiveRows active;  ///< a largest independent set of rows, earlier joints preferred
+};
+
+/// Which closure rows are independent of those before them.
+RowRank find_row_rank(const Tables& tables, const Eigen::MatrixXd& jacobian);
+
+}  // namespace gudgeon

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From topology to tables: numbering of equations, the matrix pattern, and every constant.
+#include <algorithm>
+#include <set>
+
+#include "gudgeon/system/kinetic_terms.h"
+#include "gudgeon/system/tables.h"
+
+namespace gudgeon {
+
+int Tables::find_turn_index(int turn) const {
+  if (turn < counts.n_free_turns) return turn;
+  return turn == counts.frame_turn() ? bin_index() : n_solve + (turn - counts.n_free_turns);
+}
+
+int Tables::find_slide_index(int slide) const {
+  if (slide < counts.n_free_slides) return counts.n_free_turns + slide;
+  return slide == counts.unit_slide() ? bin_index() : n_solve + counts.n_driven_turns + (slide - counts.n_free_slides);
+}
+
+namespace {
+
+class TableCompiler {
+ public:
+  TableCompiler(const Mechanism& mechanism, const Topology& topology, const ActiveRows* active_rows)
+      : mechanism_(mechanism), topology_(topology), kinetic_(sum_kinetic_terms(mechanism, topology)) {
+    tables_.counts = topology.counts;
+    tables_.driven = topology.driven;
+    for (std::size_t c = 0; c < topology.closures.size(); ++c) {
+      active_.push_back(active_rows != nullptr ? (*active_rows)[c]
+                                               : std::array<bool, 2>{true, !topology.closures[c].is_line});
+      tables_.n_rows += active_.back()[0] + active_.back()[1];
+    }
+    tables_.n_solve = topology.counts.n_free() + tables_.n_rows;
+    tables_.n_indices = tables_.n_solve + topology.counts.n_driven() + 1;
+  }
+
+  Tables compile() {
+    collect_closures();
+    collect_pattern();
+    number_slots();
+    fill_kinetic_tables();
+    fill_closure_slots();
+    compile_contacts();
+    return std::move(tables_);
+  }
+
+ private:
+  void collect_closures() {
+    int row = topology_.counts.n_free();
+    for (std::size_t c = 0; c < topology_.closures.size(); ++c) {
+      const Closure& closure = topology_.closures[c];
+      const AnyJoint& kind = mechanism_.joints[closure.joint].kind;
+      ClosureRows rows{};
+      rows.joint = closure.joint;
+      rows.is_line = closure.is_line;
+      for (int k = 0; k < 2; ++k) {
+        rows.active[k] = active_[c][k];
+        rows.row[k] = rows.active[k] ? row++ : tables_.bin_index();
+      }
+      rows.line_turn = topology_.counts.frame_turn();
+      rows.first_term = static_cast<int>(tables_.closure_terms.size());
+      for (const auto& [key, vector] : merge_terms(find_loop(closure.joint))) {
+        tables_.closure_terms.push_back({key.turn, key.slide, vector, {}, {}});
+      }
+      rows.end_term = static_cast<int>(tables_.closure_terms.size());
+      if (closure.is_line) {
+        const auto& prismatic = std::get<Prismatic>(kind);
+        const BodyNode& first = topology_.bodies[find_body(mechanism_, prismatic.first.body)];
+        const Rotation along = make_rotation(first.offset + prismatic.direction);
+        rows.line_turn = first.turn;
+        rows.normal = {-along.s, along.c};
+      }
+      tables_.closures.push_back(rows);
+    }
+  }
+
+  // Second point minus first, and minus the driven displacement of a driven prismatic joint.
+  Path find_loop(int joint) const {
+    const AnyJoint& kind = mechanism_.joints[joint].kind;
+    const auto [first, second] = anchors(kind);
+    Path loop = find_anchor_path(second);
+    const int first_body = find_body(mechanism_, first.body);
+    for (Term term : find_anchor_path(first)) {
+      term.vector = -term.vector;
+      loop.push_back(term);
+    }
+    if (topology_.joint_slide[joint] >= 0) {
+      const BodyNode& node = topology_.bodies[first_body];
+      const Rotation along = make_rotation(node.offset + std::get<Prismatic>(kind).direction);
+      loop.push_back({node.turn, topology_.joint_slide[joint], {-along.c, -along.s}});
+    }
+    // Terms that both paths share cancel to nothing.
+    const double length = find_path_length(loop);
+    Path remaining;
+    for (const auto& [key, vector] : merge_terms(loop)) {
+      if (norm(vector) > 1e-15 * length) remaining.push_back({key.turn, key.slide, vector});
+    }
+    return remaining;
+  }
+
+  static double find_path_length(const Path& path) {
+    double length = 0.0;
+    for (const Term& term : path) length += norm(term.vector);
+    return length;
+  }
+
+  Path find_anchor_path(const Anchor& anchor) const {
+    const int body = find_body(mechanism_, anchor.body);
+    return topology_.find_path(body, find_point(mechanism_.bodies[body], anchor.point)->position);
+  }
+
+  // All pairs of equations that share a matrix entry.
+  void collect_pattern() {
+    for (const auto& [keys, products] : kinetic_.pairs) {
+      const int first[2] = {tables_.find_turn_index(keys[0].turn), tables_.find_slide_index(keys[0].slide)};
+      const int second[2] = {tables_.find_turn_index(keys[1].turn), tables_.find_slide_index(keys[1].slide)};
+      for (const int a : first) {
+        for (const int b : second) add_to_pattern(a, b);
+      }
+    }
+    for (const ClosureRows& rows : tables_.closures) {
+      for (int k = 0; k < 2; ++k) {
+        for (int t = rows.first_term; t < rows.end_term; ++t) {
+          add_to_pattern(rows.row[k], tables_.find_turn_index(tables_.closure_terms[t].turn));
+          add_to_pattern(rows.row[k], tables_.find_slide_index(tables_.closure_terms[t].slide));
+        }
+        if (rows.is_line) add_to_pattern(rows.row[k], tables_.find_turn_index(rows.line_turn));
+      }
+    }
+  }
+
+  void add_to_pattern(int a, int b) {
+    const int bin = tables_.bin_index();
+    if (a != b && a != bin && b != bin) pattern_.insert({std::max(a, b), std::min(a, b)});
+  }
+
+  void number_slots() {
+    std::vector<std::pair<int, int>> solve_pattern;
+    for (const auto& [high, low] : pattern_) {
+      if (high < tables_.n_solve) solve_pattern.emplace_back(high, low);
+    }
+    tables_.elimination = Elimination(tables_.n_solve, tables_.n_rows, solve_pattern);
+    int slot = tables_.elimination.n_values();
+    for (const auto& [high, low] : pattern_) {
+      // Two driven coordinates do not couple: neither accelerates.
+      if (high < tables_.n_solve || low >= tables_.n_solve) continue;
+      tables_.couplings.push_back({high, low, slot++});
+      coupling_slot_[{high, low}] = tables_.couplings.back().slot;
+    }
+    tables_.n_slots = slot + 1;
+  }
+
+  [[nodiscard]] int find_slot(int a, int b) const {
+    const int bin_slot = tables_.n_slots - 1;
+    const auto [low, high] = std::minmax(a, b);
+    if (high == tables_.bin_index()) return bin_slot;
+    if (high < tables_.n_solve) return tables_.elimination.find_slot(high, low);
+    const auto found = coupling_slot_.find({high, low});
+    return found == coupling_slot_.end() ? bin_slot : found->second;
+  }
+
+  void fill_kinetic_tables() {
+    const CoordinateCounts& counts = topology_.counts;
+    tables_.constant_values.assign(tables_.n_slots, 0.0);
+    for (int turn = 0; turn < counts.n_free_turns; ++turn) {
+      tables_.constant_values[find_slot(turn, turn)] += kinetic_.turn_inertia[turn];
+    }
+    for (const auto& [keys, products] : kinetic_.pairs) {
+      if (keys[0].slide == counts.unit_slide() && keys[1].slide == counts.unit_slide()) {
+        add_turn_pair(keys[0].turn, keys[1].turn, products);
+      } else {
+        add_slide_pair(keys[0], keys[1], products);
+      }
+    }
+    for (const auto& [key, products] : kinetic_.fields) {
+      tables_.fields.push_back({key.turn, key.slide, products.dot, products.cross, tables_.find_turn_index(key.turn),
+                                tables_.find_slide_index(key.slide)});
+    }
+    for (int turn = 0; turn < counts.n_turns(); ++turn) {
+      if (kinetic_.turn_torque[turn] == 0.0) continue;
+      tables_.torques.push_back({turn, kinetic_.turn_torque[turn], tables_.find_turn_index(turn)});
+    }
+  }
+
+  void add_turn_pair(int i, int j, const Products& products) {
+    const int frame = topology_.counts.frame_turn();
+    if (i == frame || j == frame) return;
+    const int index_i = tables_.find_turn_index(i);
+    const int index_j = tables_.find_turn_index(j);
+    if (i == j) {
+      if (i < topology_.counts.n_free_turns) tables_.constant_values[find_slot(i, i)] += products.dot;
+      return;
+    }
+    tables_.turn_pairs.push_back({i, j, products.dot, products.cross, find_slot(index_i, index_j), index_i, index_j});
+  }
+
+  void add_slide_pair(TermKey i, TermKey j, const Products& products) {
+    const int ti = tables_.find_turn_index(i.turn);
+    const int si = tables_.find_slide_index(i.slide);
+    const int tj = tables_.find_turn_index(j.turn);
+    const int sj = tables_.find_slide_index(j.slide);
+    tables_.slide_pairs.push_back({i.turn, i.slide, j.turn, j.slide, products.dot, products.cross, i == j,
+                                   find_slot(ti, tj), find_slot(ti, sj), find_slot(si, tj), find_slot(si, sj), ti, si,
+                                   tj, sj});
+  }
+
+  void fill_closure_slots() {
+    for (ClosureRows& rows : tables_.closures) {
+      for (int t = rows.first_term; t < rows.end_term; ++t) {
+        ClosureTerm& term = tables_.closure_terms[t];
+        for (int k = 0; k < 2; ++k) {
+          term.slot_turn[k] = find_slot(rows.row[k], tables_.find_turn_index(term.turn));
+          term.slot_slide[k] = find_slot(rows.row[k], tables_.find_slide_index(term.slide));
+        }
+      }
+      rows.slot_normal = find_slot(rows.row[0], tables_.find_turn_index(rows.line_turn));
+    }
+  }
+
+  void compile_contacts() {
+    for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
+      if (const auto* joint = std::get_if<RevoluteClearance>(&mechanism_.joints[j].kind)) add_contact(j, *joint);
+    }
+    for (const PointChain::Row& row : tables_.contact_points.rows()) {
+      tables_.chain_index_turn.push_back(tables_.find_turn_index(row.turn));
+      tables_.chain_index_slide.push_back(tables_.find_slide_index(row.slide));
+    }
+  }
+
+  void add_contact(int j, const RevoluteClearance& joint) {
+    const BodyNode& bearing = topology_.bodies[find_body(mechanism_, joint.bearing.body)];
+    const BodyNode& journal = topology_.bodies[find_body(mechanism_, joint.journal.body)];
+    Contact contact;
+    contact.joint = j;
+    contact.bearing_row = tables_.contact_points.add(find_anchor_path(joint.bearing), topology_.counts);
+    contact.journal_row = tables_.contact_points.add(find_anchor_path(joint.journal), topology_.counts);
+    contact.bearing_turn = bearing.turn;
+    contact.journal_turn = journal.turn;
+    contact.bearing_offset = bearing.offset;
+    contact.journal_offset = journal.offset;
+    contact.bearing_index = tables_.find_turn_index(bearing.turn);
+    contact.journal_index = tables_.find_turn_index(journal.turn);
+    contact.surfaces.bearing_radius = joint.bearing_radius;
+    contact.surfaces.journal_radius = joint.bearing_radius - joint.radial_clearance;
+    contact.stiffness_factor = find_stiffness_factor(joint.contact.bearing_material, joint.contact.journal_material);
+    contact.width = joint.width;
+    contact.normal_force = joint.contact.normal_force;
+    contact.friction = joint.contact.friction;
+    contact.bearing_wear = joint.contact.bearing_wear;
+    contact.journal_wear = joint.contact.journal_wear;
+    contact.onset_speed_floor = joint.contact.onset_speed_floor;
+    contact.normal_direction = joint.contact.normal_direction;
+    tables_.contacts.push_back(std::move(contact));
+  }
+
+  const Mechanism& mechanism_;
+  const Topology& topology_;
+  KineticTerms kinetic_;
+  Tables tables_;
+  std::vector<std::array<bool, 2>> active_;
+  std::set<std::pair<int, int>> pattern_;  // (higher index, lower index)
+  std::map<std::pair<int, int>, int> coupling_slot_;
+};
+
+}  // namespace
+
+Tables compile_tables(const Mechanism& mechanism, const Topology& topology, const ActiveRows* active_rows) {
+  return TableCompiler(mechanism, topology, active_rows).compile();
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The forces between the two worn surfaces of a revolute clearance joint.
+#pragma once
+
+#include "gudgeon/geometry/revolute_gap.h"
+#include "gudgeon/model/joint.h"
+
+namespace gudgeon {
+
+/// A clearance joint compiled: its surfaces, its laws, and where its points and bodies are in the tables.
+struct Contact {
+  int joint = 0;         ///< index into Mechanism::joints
+  int bearing_row = 0;   ///< of the bearing's centre in the chain of contact points
+  int journal_row = 0;
+  int bearing_turn = 0;
+  int journal_turn = 0;
+  double bearing_offset = 0.0;  ///< body angle − turn angle [rad]
+  double journal_offset = 0.0;
+  int bearing_index = 0;  ///< equation of the bearing's turn
+  int journal_index = 0;
+
+  RevoluteSurfaces surfaces;
+  double stiffness_factor = 0.0;  ///< 4/(3π(σ_i + σ_j)) [Pa], σ = (1 − ν²)/(πE)
+  double width = 0.0;             ///< w [m]
+  AnyNormalForce normal_force;
+  AnyFriction friction;
+  AnyWear bearing_wear;
+  AnyWear journal_wear;
+  double onset_speed_floor = 0.0;  ///< [m/s]
+  NormalDirection normal_direction = NormalDirection::gap_gradient;
+};
+
+/// What changes only at accepted events: whether the surfaces are taken to touch, and how fast they met.
+struct ContactLatch {
+  bool in_contact = false;
+  double onset_speed = 0.0;  ///< δ̇₀ [m/s]
+};
+
+/// Gap, forces and powers of one contact at one instant; all zero but the gap in free flight.
+struct ContactForces {
+  RevoluteGap gap;
+  double slip_speed = 0.0;      ///< v [m/s] of the journal's surface relative to the bearing's, along perp(n)
+  double normal_force = 0.0;    ///< F [N] >= 0
+  double friction_force = 0.0;  ///< μ(v) F [N], of v's sign; acts on the journal along −perp(n)
+  double elastic_energy = 0.0;  ///< U [J]
+  Vec2 force_on_journal;        ///< [N] in the frame's axes, to be taken at the journal's centre
+  double torque_on_bearing = 0.0;  ///< [N m] about the bearing's centre, beside −force_on_journal there
+  double torque_on_journal = 0.0;  ///< [N m] about the journal's centre
+  double damping_power = 0.0;   ///< [W] lost along the normal
+  double friction_power = 0.0;  ///< [W] lost along the slip
+  double surface_power = 0.0;   ///< [W] done by the surfaces where their force is not the gradient of U
+};
+
+/// Position and motion of the contact, from the motion of its two points and bodies.
+RevoluteMotion find_contact_motion(const Contact& contact, const struct Coordinates& coordinates,
+                                   Vec2 bearing_position, Vec2 bearing_velocity, Vec2 journal_position,
+                                   Vec2 journal_velocity) noexcept;
+
+/// The forces of a contact that is latched. Both bodies feel equal and opposite forces at one common point in the middle
+/// of the overlap, so momentum and angular momentum are kept. Stiffness K = factor sqrt(R_i R_j/(R_i − R_j)), eq. (35),
+/// with the local worn radii. Eqs. (6) to (16) of the paper.
+ContactForces find_contact_forces(const Contact& contact, const RevoluteMotion& motion,
+                                  const ContactLatch& latch) noexcept;
+
+/// 4/(3π(σ_i + σ_j)) [Pa]: what eq. (8) multiplies the radii's root with.
+double find_stiffness_factor(const Material& bearing, const Material& journal);
+
+}  // namespace gudgeon

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The values of all turns and slides at one instant.
+#pragma once
+
+#include <vector>
+
+#include "gudgeon/base/vec2.h"
+#include "gudgeon/system/topology.h"
+
+namespace gudgeon {
+
+/// Angles, their cosines and sines, displacements, and the rates of all: free, driven, and the constant last one.
+struct Coordinates {
+  explicit Coordinates(const CoordinateCounts& counts)
+      : angle(counts.n_turns(), 0.0),
+        rotation(counts.n_turns()),
+        angle_rate(counts.n_turns(), 0.0),
+        slide(counts.n_slides(), 1.0),
+        slide_rate(counts.n_slides(), 0.0) {}
+
+  std::vector<double> angle;       ///< θ [rad], one a turn
+  std::vector<Rotation> rotation;  ///< of θ
+  std::vector<double> angle_rate;  ///< θ̇ [rad/s]
+  std::vector<double> slide;       ///< c [m], one a slide; the unit slide is 1
+  std::vector<double> slide_rate;  ///< ċ [m/s]
+};
+
+}  // namespace gudgeon

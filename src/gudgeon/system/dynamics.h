@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The equations of motion: accelerations, constraint forces, driver efforts and contact forces of one state.
+#pragma once
+
+#include <span>
+
+#include "gudgeon/system/workspace.h"
+
+namespace gudgeon {
+
+/// Baumgarte's feedback of closure errors, φ̈ = −2 α φ̇ − β² φ [1/s]; zero without it. Eq. (24) of the paper.
+struct Feedback {
+  double alpha = 0.0;
+  double beta = 0.0;
+};
+
+/// Angles, slides and their rates from free coordinates q, their rates v, and the drivers at time t.
+void update_coordinates(const Tables& tables, double t, const double* q, const double* v,
+                        Coordinates& coordinates) noexcept;
+
+/// Positions and velocities of the contact points, in workspace.contact_motions.
+void update_contact_motions(const Tables& tables, Workspace& workspace) noexcept;
+
+/// The state of one contact's gap; needs update_contact_motions.
+RevoluteMotion find_contact_motion(const Contact& contact, const Workspace& workspace) noexcept;
+
+/// Solves [H Jᵀ; J 0] [q̈; −λ] = [Q; γ] for the state (t, q, v) with the given latches, one a contact.
+/// Writes all of the workspace; the accelerations are workspace.equations[0 … n_free). No allocation, no exception.
+void eval_dynamics(const Tables& tables, double t, const double* q, const double* v,
+                   std::span<const ContactLatch> latches, Feedback feedback, Workspace& workspace) noexcept;
+
+/// Closure gaps φ and rates φ̇ of a state, in workspace.closure_gap and closure_rate; needs update_coordinates.
+void update_closures(const Tables& tables, Workspace& workspace) noexcept;
+
+/// Solves H dq + Jᵀ μ = 0, J dq = −residual with the factors of the last evaluation: the least correction, weighted with
+/// mass, that removes a residual given one a closure. correction has n_free entries.
+void find_correction(const Tables& tables, std::span<const Vec2> residual, Workspace& workspace,
+                     double* correction) noexcept;
+
+/// Power [W] that the drivers deliver, from the last evaluation.
+double find_driver_power(const Tables& tables, const Workspace& workspace) noexcept;
+
+}  // namespace gudgeon

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The textbook count beside what the compiled system integrates.
+#include "gudgeon/system/mobility.h"
+
+#include <fmt/format.h>
+
+#include "gudgeon/system/redundancy.h"
+#include "gudgeon/system/system.h"
+
+namespace gudgeon {
+
+namespace {
+
+int count_rows(const AnyJoint& joint) {
+  if (std::holds_alternative<RevoluteClearance>(joint)) return 0;
+  return std::holds_alternative<Rigid>(joint) ? 3 : 2;
+}
+
+std::string describe_row(const Mechanism& mechanism, const ClosureRows& rows, int row) {
+  const std::string& name = mechanism.joints[rows.joint].name;
+  if (rows.is_line) return fmt::format("joint '{}': its line", name);
+  return fmt::format("joint '{}': its {} direction", name, row == 0 ? "x" : "y");
+}
+
+}  // namespace
+
+Mobility find_mobility(const Mechanism& mechanism) {
+  const Assembly assembly = assemble(mechanism);
+  System system{mechanism, find_topology(mechanism), {}};
+  system.tables = compile_tables(mechanism, system.topology);
+  const Redundancy redundancy = find_redundancy(system.tables, 0.0, make_state(system, assembly).q);
+
+  Mobility mobility;
+  mobility.n_bodies = static_cast<int>(mechanism.bodies.size()) - 1;
+  mobility.n_coordinates = 3 * mobility.n_bodies;
+  for (const Joint& joint : mechanism.joints) mobility.n_constraint_rows += count_rows(joint.kind);
+  mobility.n_constraint_rows += static_cast<int>(mechanism.drivers.size());
+  for (const int joint : system.topology.redundant_ties) {
+    mobility.redundant_constraints.push_back(
+        fmt::format("joint '{}': its relative angle", mechanism.joints[joint].name));
+  }
+  for (std::size_t c = 0; c < system.tables.closures.size(); ++c) {
+    const ClosureRows& rows = system.tables.closures[c];
+    for (int k = 0; k < (rows.is_line ? 1 : 2); ++k) {
+      if (!redundancy.active[c][k]) mobility.redundant_constraints.push_back(describe_row(mechanism, rows, k));
+    }
+  }
+  mobility.n_redundant_rows = static_cast<int>(mobility.redundant_constraints.size());
+  mobility.n_degrees_of_freedom = mobility.n_coordinates - mobility.n_constraint_rows + mobility.n_redundant_rows;
+  mobility.n_unknowns = system.topology.counts.n_free();
+  mobility.n_closure_rows = system.tables.n_rows - redundancy.n_redundant_rows;
+  mobility.singular_start = redundancy.singular;
+  return mobility;
+}
+
+}  // namespace gudgeon

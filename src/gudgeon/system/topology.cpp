@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Numbering of turns and slides, growth of the tree, and the paths along it.
+#include "gudgeon/system/topology.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "gudgeon/base/diagnostics.h"
+#include "gudgeon/system/angle_groups.h"
+
+namespace gudgeon {
+
+namespace {
+
+[[noreturn]] void throw_driver_error(const Driver& driver, const std::string& reason, const std::string& next_step) {
+  Diagnostics diagnostics;
+  diagnostics.error("E-MODEL-061", "drivers." + driver.name, fmt::format("driver '{}': {}", driver.name, reason),
+                    {next_step});
+  throw ModelError(diagnostics);
+}
+
+// An edge of the graph that the tree is grown on.
+struct Edge {
+  int joint;
+  int first;
+  int second;
+  bool adds_slide;  // a free prismatic joint: costs one unknown in the tree, one row outside it
+};
+
+class TopologyBuilder {
+ public:
+  explicit TopologyBuilder(const Mechanism& mechanism)
+      : mechanism_(mechanism), groups_(find_angle_groups(mechanism)) {
+    topology_.bodies.resize(mechanism.bodies.size());
+    topology_.joint_slide.assign(mechanism.joints.size(), -1);
+    topology_.redundant_ties = groups_.redundant;
+    for (const int joint : groups_.ties) topology_.angle_ties.push_back({joint});
+  }
+
+  Topology build() {
+    find_drivers();
+    number_turns();
+    grow_tree();
+    number_slides();
+    trace_paths();
+    collect_closures();
+    return std::move(topology_);
+  }
+
+ private:
+  void find_drivers() {
+    angle_driver_.assign(groups_.n_groups, -1);
+    slide_driver_.assign(mechanism_.joints.size(), -1);
+    for (int d = 0; d < static_cast<int>(mechanism_.drivers.size()); ++d) {
+      const Driver& driver = mechanism_.drivers[d];
+      if (const auto* slide = std::get_if<DrivenSlide>(&driver.target)) {
+        int& slot = slide_driver_[find_joint(mechanism_, slide->joint)];
+        if (slot >= 0) throw_driver_error(driver, "its joint is driven already", "remove one of the two drivers");
+        slot = d;
+        continue;
+      }
+      const int body = find_body(mechanism_, std::get<DrivenAngle>(driver.target).body);
+      const int group = groups_.group[body];
+      if (group == groups_.group[0]) {
+        throw_driver_error(driver, "guides or rigid joints hold its body's angle to the frame",
+                           "drive the prismatic joint (slide = \"…\") instead");
+      }
+      if (angle_driver_[group] >= 0) {
+        throw_driver_error(driver, "its body's angle is driven already, through a guide or rigid joint",
+                           "remove one of the two drivers");
+      }
+      angle_driver_[group] = d;
+    }
+  }
+
+  void number_turns() {
+    CoordinateCounts& counts = topology_.counts;
+    counts.n_driven_turns = static_cast<int>(std::ranges::count_if(angle_driver_, [](int d) { return d >= 0; }));
+    counts.n_free_turns = groups_.n_groups - 1 - counts.n_driven_turns;
+    std::vector<int> turn_of_group(groups_.n_groups, -1);
+    turn_of_group[groups_.group[0]] = counts.frame_turn();
+    int next_free = 0;
+    int next_driven = counts.n_free_turns;
+    for (int g = 0; g < groups_.n_groups; ++g) {
+      if (g != groups_.group[0]) turn_of_group[g] = angle_driver_[g] >= 0 ? next_driven++ : next_free++;
+    }
+    for (std::size_t b = 0; b < topology_.bodies.size(); ++b) {
+      topology_.bodies[b].turn = turn_of_group[groups_.group[b]];
+      topology_.bodies[b].offset = groups_.offset[b];
+    }
+    for (int g = 0; g < groups_.n_groups; ++g) {
+      if (angle_driver_[g] < 0) continue;
+      const Driver& driver = mechanism_.drivers[angle_driver_[g]];
+      const int body = find_body(mechanism_, std::get<DrivenAngle>(driver.target).body);
+      topology_.driven.push_back({angle_driver_[g], driver.start - groups_.offset[body], driver.speed});
+    }
+  }
+
+  // Prim's algorithm: joints without a new unknown first, then the shortest path to the frame, then the model's order.
+  void grow_tree() {
+    std::vector<Edge> edges;
+    for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
+      const AnyJoint& kind = mechanism_.joints[j].kind;
+      if (std::holds_alternative<RevoluteClearance>(kind)) continue;
+      const auto [first, second] = anchors(kind);
+      edges.push_back({j, find_body(mechanism_, first.body), find_body(mechanism_, second.body),
+                       std::holds_alternative<Prismatic>(kind) && slide_driver_[j] < 0});
+    }
+    in_tree_.assign(mechanism_.bodies.size(), false);
+    joint_in_tree_.assign(mechanism_.joints.size(), false);
+    add_root(0);
+    for (std::size_t reached = 1; reached < mechanism_.bodies.size(); ++reached) {
+      if (const Edge* edge = find_next_edge(edges)) {
+        const bool forward = in_tree_[edge->first];
+        const int parent = forward ? edge->first : edge->second;
+        const int child = forward ? edge->second : edge->first;
+        topology_.bodies[child].parent = parent;
+        topology_.bodies[child].joint = edge->joint;
+        topology_.bodies[child].depth = topology_.bodies[parent].depth + 1;
+        joint_in_tree_[edge->joint] = true;
+        in_tree_[child] = true;
+        order_.push_back(child);
+      } else {
+        const int loose = static_cast<int>(std::ranges::find(in_tree_, false) - in_tree_.begin());
+        topology_.loose.push_back({loose, -1});
+        add_root(loose);
+      }
+    }
+  }
+
+  void add_root(int body) {
+    in_tree_[body] = true;
+    order_.push_back(body);
+  }
+
+  const Edge* find_next_edge(const std::vector<Edge>& edges) const {
+    const Edge* best = nullptr;
+    std::tuple<bool, int> best_cost{true, std::numeric_limits<int>::max()};
+    for (const Edge& edge : edges) {
+      if (in_tree_[edge.first] == in_tree_[edge.second]) continue;
+      const int parent = in_tree_[edge.first] ? edge.first : edge.second;
+      const std::tuple cost{edge.adds_slide, topology_.bodies[parent].depth};
+      if (best == nullptr || cost < best_cost) best = &edge, best_cost = cost;
+    }
+    return best;
+  }
+
+  void number_slides() {
+    CoordinateCounts& counts = topology_.counts;
+    for (auto& [body, slide] : topology_.loose) {
+      slide = counts.n_free_slides;
+      counts.n_free_slides += 2;
+      topology_.free_slide_joint.insert(topology_.free_slide_joint.end(), {-1, -1});
+    }
+    for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
+      if (joint_in_tree_[j] && std::holds_alternative<Prismatic>(mechanism_.joints[j].kind) && slide_driver_[j] < 0) {
+        topology_.joint_slide[j] = counts.n_free_slides++;
+        topology_.free_slide_joint.push_back(j);
+      }
+    }
+    for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
+      if (slide_driver_[j] < 0) continue;
+      topology_.joint_slide[j] = counts.n_free_slides + counts.n_driven_slides++;
+      const Driver& driver = mechanism_.drivers[slide_driver_[j]];
+      topology_.driven.push_back({slide_driver_[j], driver.start, driver.speed});
+    }
+  }
+
+  // The line of a prismatic joint as a term: along it, scaled by its slide.
+  Term line_term(int joint) const {
+    const auto& prismatic = std::get<Prismatic>(mechanism_.joints[joint].kind);
+    const BodyNode& first = topology_.bodies[find_body(mechanism_, prismatic.first.body)];
+    const Rotation along = make_rotation(first.offset + prismatic.direction);
+    return {first.turn, topology_.joint_slide[joint], {along.c, along.s}};
+  }
+
+  void trace_paths() {
+    for (const int b : order_) {
+      BodyNode& node = topology_.bodies[b];
+      if (node.parent < 0) {
+        if (b != 0) node.origin = loose_origin(b);
+        continue;
+      }
+      const AnyJoint& kind = mechanism_.joints[node.joint].kind;
+      const auto [first, second] = anchors(kind);
+      const bool forward = find_body(mechanism_, first.body) == node.parent;
+      const Anchor& outer = forward ? second : first;
+      const Anchor& inner = forward ? first : second;
+      node.origin = topology_.find_path(node.parent, find_local(inner));
+      if (topology_.joint_slide[node.joint] >= 0) {
+        Term line = line_term(node.joint);
+        if (!forward) line.vector = -line.vector;
+        node.origin.push_back(line);
+      }
+      const Vec2 back = make_rotation(node.offset) * -find_local(outer);
+      node.origin.push_back({node.turn, topology_.counts.unit_slide(), back});
+    }
+  }
+
+  // A loose body's x and y are those of its centre of mass, which decouples them from its angle.
+  Path loose_origin(int body) const {
+    const CoordinateCounts& counts = topology_.counts;
+    const int slide = (*std::ranges::find(topology_.loose, body, [](const auto& entry) { return entry[0]; }))[1];
+    const BodyNode& node = topology_.bodies[body];
+    const Vec2 back = make_rotation(node.offset) * -mechanism_.bodies[body].center_of_mass;
+    return {{counts.frame_turn(), slide, {1.0, 0.0}},
+            {counts.frame_turn(), slide + 1, {0.0, 1.0}},
+            {node.turn, counts.unit_slide(), back}};
+  }
+
+  Vec2 find_local(const Anchor& anchor) const {
+    return find_point(mechanism_.bodies[find_body(mechanism_, anchor.body)], anchor.point)->position;
+  }
+
+  void collect_closures() {
+    for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
+      const AnyJoint& kind = mechanism_.joints[j].kind;
+      if (joint_in_tree_[j] || std::holds_alternative<RevoluteClearance>(kind)) continue;
+      topology_.closures.push_back({j, std::holds_alternative<Prismatic>(kind) && slide_driver_[j] < 0});
+    }
+  }
+
+  const Mechanism& mechanism_;
+  AngleGroups groups_;
+  Topology topology_;
+  std::vector<int> angle_driver_;  // one a group, or -1
+  std::vector<int> slide_driver_;  // one a joint, or -1
+  std::vector<bool> in_tree_;
+  std::vector<bool> joint_in_tree_;
+  std::vector<int> order_;  // bodies, parents before children
+};
+
+}  // namespace
+
+Path Topology::find_path(int body, Vec2 local) const {
+  const BodyNode& node = bodies[body];
+  Path path = node.origin;
+  const Vec2 vector = make_rotation(node.offset) * local;
+  if (!path.empty() && path.back().turn == node.turn && path.back().slide == counts.unit_slide()) {
+    path.back().vector += vector;
+  } else {
+    path.push_back({node.turn, counts.unit_slide(), vector});
+  }
+  return path;
+}
+
+Topology find_topology(const Mechanism& mechanism) { return TopologyBuilder(mechanism).build(); }
+
+}  // namespace gudgeon

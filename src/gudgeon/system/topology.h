@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The mechanism as a spanning tree of absolute angles: which body shares which angle, how each body hangs from the
+// frame, and which joints remain to close loops.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gudgeon/base/vec2.h"
+#include "gudgeon/model/mechanism.h"
+
+namespace gudgeon {
+
+/// Turns are the absolute angles of groups of bodies that keep their relative angles; slides are the displacements that
+/// scale a vector. Both are numbered with the unknown ones first, then the driven ones, then one that never changes:
+/// the frame's angle, always zero, and the unit slide, always one.
+struct CoordinateCounts {
+  int n_free_turns = 0;
+  int n_driven_turns = 0;
+  int n_free_slides = 0;
+  int n_driven_slides = 0;
+
+  [[nodiscard]] int n_turns() const { return n_free_turns + n_driven_turns + 1; }
+  [[nodiscard]] int n_slides() const { return n_free_slides + n_driven_slides + 1; }
+  [[nodiscard]] int frame_turn() const { return n_turns() - 1; }
+  [[nodiscard]] int unit_slide() const { return n_slides() - 1; }
+  [[nodiscard]] int n_free() const { return n_free_turns + n_free_slides; }
+  [[nodiscard]] int n_driven() const { return n_driven_turns + n_driven_slides; }
+};
+
+/// One term of a path: a constant vector, turned by one angle and scaled by one slide.
+struct Term {
+  int turn = 0;
+  int slide = 0;
+  Vec2 vector;
+};
+/// A point's position is the sum of its terms, frame first.
+using Path = std::vector<Term>;
+
+/// Where a body hangs in the tree.
+struct BodyNode {
+  int turn = 0;
+  double offset = 0.0;  ///< body angle − turn angle [rad]
+  int parent = -1;      ///< body nearer to the frame; -1 for the frame and for bodies loose from it
+  int joint = -1;       ///< the joint to the parent
+  int depth = 0;
+  Path origin;          ///< path to the body's origin
+};
+
+/// A joint that closes a loop.
+struct Closure {
+  int joint = 0;
+  bool is_line = false;  ///< one row (a free prismatic joint) instead of two
+};
+
+/// A joint that ties the angles of two bodies and is not implied by other such joints.
+struct AngleTie {
+  int joint = 0;
+};
+
+/// The motion of one driven coordinate: value = start + speed t.
+struct DrivenMotion {
+  int driver = 0;      ///< index into Mechanism::drivers
+  double start = 0.0;  ///< of the turn or slide, offsets removed
+  double speed = 0.0;
+};
+
+struct Topology {
+  CoordinateCounts counts;
+  std::vector<BodyNode> bodies;           ///< one a body
+  std::vector<int> joint_slide;           ///< one a joint: its slide, or -1
+  std::vector<int> free_slide_joint;      ///< one a free slide: its joint, or -1 for a loose body's x or y
+  std::vector<std::array<int, 2>> loose;  ///< one a loose body: body, and its first slide (x; y follows)
+  std::vector<Closure> closures;
+  std::vector<AngleTie> angle_ties;
+  std::vector<int> redundant_ties;        ///< joints whose angle condition others imply
+  std::vector<DrivenMotion> driven;       ///< turns, then slides, in coordinate order
+
+  /// The path to a point given in a body's own axes.
+  [[nodiscard]] Path find_path(int body, Vec2 local) const;
+};
+
+/// Grows the tree. Throws ModelError when drivers or angle conditions contradict each other.
+Topology find_topology(const Mechanism& mechanism);
+
+}  // namespace gudgeon

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Scratch memory of one thread: everything an evaluation writes, allocated once.
+#pragma once
+
+#include <vector>
+
+#include "gudgeon/system/coordinates.h"
+#include "gudgeon/system/tables.h"
+
+namespace gudgeon {
+
+struct Workspace {
+  explicit Workspace(const Tables& tables)
+      : coordinates(tables.counts),
+        values(tables.n_slots, 0.0),
+        inverse_pivots(tables.n_solve, 0.0),
+        equations(tables.n_indices, 0.0),
+        effort(tables.counts.n_driven(), 0.0),
+        closure_gap(tables.closures.size()),
+        closure_rate(tables.closures.size()),
+        contact_motions(tables.contact_points.rows().size()),
+        contact_loads(tables.contact_points.rows().size()),
+        contact_forces(tables.contacts.size()) {}
+
+  Coordinates coordinates;
+  std::vector<double> values;          ///< matrix entries by slot; after a solve the factors
+  std::vector<double> inverse_pivots;
+  std::vector<double> equations;       ///< right-hand side; after a solve accelerations, then −λ of each active row
+  std::vector<double> effort;          ///< torque or force of each driver [N m, N], positive along its coordinate
+  std::vector<Vec2> closure_gap;       ///< φ [m] of each closure, (line, 0) for a line
+  std::vector<Vec2> closure_rate;      ///< φ̇ [m/s]
+  std::vector<PointChain::PointMotion> contact_motions;
+  std::vector<Vec2> contact_loads;     ///< force on each chain row [N]
+  std::vector<ContactForces> contact_forces;
+};
+
+}  // namespace gudgeon

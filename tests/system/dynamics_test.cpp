@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The engine against the textbook form: accelerations, efforts, reactions and energies on random consistent states.
+#include "gudgeon/system/dynamics.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "gudgeon/system/body_motion.h"
+#include "gudgeon/system/poses.h"
+#include "gudgeon/system/reactions.h"
+#include "tests/oracle/mechanisms.h"
+#include "tests/oracle/textbook.h"
+
+namespace gudgeon {
+namespace {
+
+// Relative difference that rounding of a well-conditioned dense solve explains.
+constexpr double kTolerance = 1e-9;
+
+class RandomStates {
+ public:
+  explicit RandomStates(const Mechanism& mechanism)
+      : system(compile(mechanism, assemble(mechanism))),
+        workspace(system.tables),
+        start_(make_state(system, assemble(mechanism))),
+        latches(system.tables.contacts.size(), ContactLatch{true, 0.07}) {}
+
+  // A state near the start on which all closures hold to rounding; empty when the draw cannot be closed.
+  std::optional<State> draw(double time, double spread) {
+    State state = start_;
+    for (double& q : state.q) q += spread * uniform_(random_);
+    for (double& v : state.v) v += 3.0 * uniform_(random_);
+    const std::vector<ContactLatch> open(latches.size());
+    std::vector<double> correction(state.q.size());
+    const auto n_free = static_cast<std::size_t>(system.tables.counts.n_free());
+    for (int pass = 0; pass < 25; ++pass) {
+      eval_dynamics(system.tables, time, state.q.data(), state.v.data(), open, {}, workspace);
+      const auto gap = workspace.closure_gap;
+      find_correction(system.tables, gap, workspace, correction.data());
+      for (std::size_t k = 0; k < n_free; ++k) state.q[k] += correction[k];
+    }
+    eval_dynamics(system.tables, time, state.q.data(), state.v.data(), open, {}, workspace);
+    const auto rate = workspace.closure_rate;
+    find_correction(system.tables, rate, workspace, correction.data());
+    for (std::size_t k = 0; k < n_free; ++k) state.v[k] += correction[k];
+    eval_dynamics(system.tables, time, state.q.data(), state.v.data(), latches, {}, workspace);
+    for (const Vec2 gap : workspace.closure_gap) {
+      if (!(norm(gap) < 1e-13)) return std::nullopt;
+    }
+    return state;
+  }
+
+  System system;
+  Workspace workspace;
+
+ private:
+  State start_;
+  std::mt19937 random_{20260101};
+  std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
+
+ public:
+  std::vector<ContactLatch> latches;
+};
+
+oracle::TextbookState make_textbook_state(const RandomStates& states, const oracle::Textbook& textbook) {
+  oracle::TextbookState state = textbook.make_state();
+  const auto poses = find_poses(states.system.mechanism, states.system.topology, states.workspace.coordinates);
+  for (std::size_t b = 1; b < poses.size(); ++b) {
+    state.bodies[b] = textbook.place(static_cast<int>(b), poses[b].position, poses[b].angle, poses[b].velocity,
+                                     poses[b].angle_rate);
+  }
+  for (auto& contact : state.contacts) contact = {true, 0.07};
+  return state;
+}
+
+bool has_clearance(const Mechanism& mechanism) {
+  return std::ranges::any_of(mechanism.joints,
+                             [](const Joint& j) { return std::holds_alternative<RevoluteClearance>(j.kind); });
+}
+
+class EngineAgainstTextbook : public testing::TestWithParam<Mechanism> {
+ protected:
+  // Calls check(workspace, motions, solution, textbook state) on random states.
+  template <class Check>
+  void for_random_states(Check&& check) {
+    const Mechanism& mechanism = GetParam();
+    RandomStates states(mechanism);
+    const oracle::Textbook textbook(mechanism);
+    BodyMotionFinder finder(states.system);
+    int n_checked = 0;
+    for (int draw = 0; draw < 20; ++draw) {
+      const double time = 0.013 * draw;
+      if (!states.draw(time, has_clearance(mechanism) ? 2e-3 : 0.2)) continue;
+      const auto state = make_textbook_state(states, textbook);
+      const auto rows = textbook.eval_rows(state, time);
+      ASSERT_LT(rows.residual.lpNorm<Eigen::Infinity>(), 1e-12);
+      ASSERT_LT(rows.rate.lpNorm<Eigen::Infinity>(), 1e-9);
+      check(states, finder.update(states.workspace), textbook.solve(state, time), textbook.eval_energy(state));
+      ++n_checked;
+    }
+    EXPECT_GE(n_checked, 8) << mechanism.name;
+  }
+};
+
+TEST_P(EngineAgainstTextbook, AccelerationsAgree) {
+  for_random_states([](const RandomStates& states, const std::vector<BodyMotion>& motions,
+                       const oracle::TextbookSolution& solution, const oracle::TextbookEnergy&) {
+    double scale = 0.0;
+    for (const auto& a : solution.accelerations) scale = std::max({scale, norm(a.center), std::abs(a.angle)});
+    for (std::size_t b = 0; b < motions.size(); ++b) {
+      const auto& expected = solution.accelerations[b];
+      const std::string& name = states.system.mechanism.bodies[b].name;
+      EXPECT_NEAR(motions[b].acceleration.x, expected.center.x, kTolerance * scale) << name;
+      EXPECT_NEAR(motions[b].acceleration.y, expected.center.y, kTolerance * scale) << name;
+      EXPECT_NEAR(motions[b].angle_acceleration, expected.angle, kTolerance * scale) << name;
+    }
+  });
+}
+
+TEST_P(EngineAgainstTextbook, EffortsAndReactionsAgree) {
+  std::unique_ptr<ReactionFinder> finder;
+  for_random_states([&](const RandomStates& states, const std::vector<BodyMotion>& motions,
+                        const oracle::TextbookSolution& solution, const oracle::TextbookEnergy&) {
+    if (solution.n_redundant_rows > 0) return;  // reactions are not unique
+    if (!finder) finder = std::make_unique<ReactionFinder>(states.system);
+    const auto& reactions = finder->update(states.workspace, motions);
+    double scale = 1e-3;
+    for (const auto& r : solution.reactions) scale = std::max({scale, norm(r.force), std::abs(r.moment)});
+    for (std::size_t j = 0; j < reactions.size(); ++j) {
+      const std::string& name = states.system.mechanism.joints[j].name;
+      EXPECT_NEAR(reactions[j].force.x, solution.reactions[j].force.x, kTolerance * scale) << name;
+      EXPECT_NEAR(reactions[j].force.y, solution.reactions[j].force.y, kTolerance * scale) << name;
+      if (std::holds_alternative<RevoluteClearance>(states.system.mechanism.joints[j].kind)) continue;
+      EXPECT_NEAR(reactions[j].moment, solution.reactions[j].moment, kTolerance * scale) << name;
+    }
+    const auto& counts = states.system.tables.counts;
+    for (int d = 0; d < counts.n_driven(); ++d) {
+      const double expected = solution.efforts[states.system.tables.driven[d].driver];
+      EXPECT_NEAR(states.workspace.effort[d], expected, kTolerance * scale);
+      if (d < counts.n_driven_turns) {
+        EXPECT_NEAR(finder->root_moments()[counts.n_free_turns + d], expected, kTolerance * scale);
+      }
+    }
+    for (int turn = 0; turn < counts.n_free_turns; ++turn) {
+      EXPECT_NEAR(finder->root_moments()[turn], 0.0, kTolerance * scale) << "moment left over on a free turn";
+    }
+  });
+}
+
+TEST_P(EngineAgainstTextbook, EnergiesAgree) {
+  std::optional<double> datum;
+  for_random_states([&](const RandomStates& states, const std::vector<BodyMotion>& motions,
+                        const oracle::TextbookSolution&, const oracle::TextbookEnergy& expected) {
+    const double kinetic = find_kinetic_energy(states.system.mechanism, motions);
+    const double potential = find_potential_energy(states.system.tables, states.workspace.coordinates);
+    EXPECT_NEAR(kinetic, expected.kinetic, kTolerance * (1.0 + expected.kinetic));
+    // Potential energies may differ by a constant.
+    if (!datum) datum = potential - expected.potential;
+    EXPECT_NEAR(potential - *datum, expected.potential, kTolerance * (1.0 + std::abs(expected.potential)));
+    EXPECT_NEAR(find_elastic_energy(states.workspace), expected.elastic, kTolerance * (1.0 + expected.elastic));
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(AllMechanisms, EngineAgainstTextbook, testing::ValuesIn(oracle::make_all_mechanisms()),
+                         [](const auto& mechanism) { return mechanism.param.name + "_" + std::to_string(mechanism.index); });
+
+}  // namespace
+}  // namespace gudgeon
