@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Root-finding on dense output.
+#include "gudgeon/sim/contact_events.h"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <numbers>
+
+namespace gudgeon {
+
+namespace {
+
+// Parts of a step that are looked at one by one once a hidden crossing is possible: at least so many, and on worn
+// surfaces, whose gap may change from region to region, so many for each region passed.
+constexpr int kParts = 8;
+constexpr double kPartsPerRegion = 2.0;
+// A cubic through the ends of a step may miss the true gap by this share of how far the gap could move in it.
+constexpr double kMargin = 0.1;
+
+// Whether the cubic with these values and slopes (per unit of share) at both ends comes above -margin in between.
+bool may_rise_above(double value_a, double slope_a, double value_b, double slope_b, double margin) {
+  const double difference = value_b - value_a;
+  for (int k = 1; k < kParts; ++k) {
+    const double s = static_cast<double>(k) / kParts;
+    const double r = 1.0 - s;
+    const double value = value_a + s * (difference + r * ((slope_a - difference) * r - (slope_b - difference) * s));
+    if (value > -margin) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ContactEvents::ContactEvents(const Tables& tables)
+    : tables_(&tables), interpolated_(2 * static_cast<std::size_t>(tables.counts.n_free())) {}
+
+void ContactEvents::find_gaps(Workspace& workspace, std::vector<GapState>& gaps) const noexcept {
+  update_contact_motions(*tables_, workspace);
+  for (std::size_t k = 0; k < gaps.size(); ++k) gaps[k] = find_gap(k, workspace);
+}
+
+GapState ContactEvents::find_gap(std::size_t contact, const Workspace& workspace) const noexcept {
+  const Contact& at = tables_->contacts[contact];
+  const RevoluteMotion motion = find_contact_motion(at, workspace);
+  const RevoluteGap gap = find_revolute_gap(at.surfaces, motion);
+  const double turning = gap.eccentricity > 0.0 ? cross(gap.normal, motion.velocity) / gap.eccentricity : 0.0;
+  const double fastest = std::max(std::abs(turning - motion.bearing_rate), std::abs(turning - motion.journal_rate));
+  return {gap.eccentricity, dot(gap.normal, motion.velocity), fastest, gap.penetration, gap.penetration_rate};
+}
+
+GapState ContactEvents::find_gap_at(double share, std::size_t contact, const DormandPrince& step,
+                                    Workspace& workspace) {
+  const std::size_t n_free = interpolated_.size() / 2;
+  step.interpolate(share, 2 * n_free, interpolated_.data());
+  update_coordinates(*tables_, step.start_time() + share * step.step(), interpolated_.data(),
+                     interpolated_.data() + n_free, workspace.coordinates);
+  update_contact_motions(*tables_, workspace);
+  return find_gap(contact, workspace);
+}
+
+// First share in (0, limit] at which sign δ rises above zero; at the start it counts as not above.
+std::optional<double> ContactEvents::find_crossing(std::size_t contact, double sign, double limit, int n_parts,
+                                                   const DormandPrince& step, Workspace& workspace) {
+  const auto value = [&](double share) { return sign * find_gap_at(share, contact, step, workspace).penetration; };
+  const auto rate = [&](double share) { return sign * find_gap_at(share, contact, step, workspace).penetration_rate; };
+  const auto refine = [](auto&& f, double a, double fa, double b, double fb) {
+    std::uintmax_t most = 60;
+    const auto bracket =
+        boost::math::tools::toms748_solve(f, a, b, fa, fb, boost::math::tools::eps_tolerance<double>(45), most);
+    return 0.5 * (bracket.first + bracket.second);
+  };
+  double before = 0.0;
+  double rate_before = rate(0.0);
+  for (int part = 1; part <= n_parts; ++part) {
+    const double after = limit * part / n_parts;
+    double top = after;
+    double value_top = value(after);
+    const double rate_after = rate(after);
+    if (value_top <= 0.0 && rate_before > 0.0 && rate_after < 0.0) {
+      top = refine(rate, before, rate_before, after, rate_after);
+      value_top = value(top);
+    }
+    if (value_top > 0.0) {
+      // Just after a change the gap is a hair on the wrong side and moving off it: go to where it turns back.
+      double bottom = before;
+      if (rate_before < 0.0 && rate(top) > 0.0) bottom = refine(rate, before, rate_before, top, rate(top));
+      const double value_bottom = value(bottom);
+      return value_bottom < 0.0 ? refine(value, bottom, value_bottom, top, value_top) : bottom;
+    }
+    before = after;
+    rate_before = rate_after;
+  }
+  return std::nullopt;
+}
+
+// How closely a step must be looked at; zero when nothing can have happened to the contact inside it.
+int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, const GapState& start,
+                               const GapState& end) const {
+  const auto may_rise = [&](double value_a, double rate_a, double value_b, double rate_b) {
+    if (value_a > 0.0 && value_b > 0.0) return true;
+    const double slope_a = rate_a * h;
+    const double slope_b = rate_b * h;
+    const double margin = kMargin * std::max(std::abs(slope_a), std::abs(slope_b));
+    return may_rise_above(value_a, slope_a, value_b, slope_b, margin);
+  };
+  if (in_contact) {
+    const bool opens = end.penetration < 0.0;
+    const bool may_open = may_rise(-start.penetration, -start.penetration_rate, -end.penetration, -end.penetration_rate);
+    return opens || (may_open && start.penetration_rate < 0.0 && end.penetration_rate > 0.0) ? kParts : 0;
+  }
+  const bool closes = end.penetration > 0.0;
+  const RevoluteSurfaces& surfaces = tables_->contacts[contact].surfaces;
+  if (!surfaces.is_worn()) {
+    const bool may_close = may_rise(start.penetration, start.penetration_rate, end.penetration, end.penetration_rate);
+    return closes || (may_close && start.penetration_rate > 0.0 && end.penetration_rate < 0.0) ? kParts : 0;
+  }
+  // The line of centres changes smoothly even where the surfaces do not.
+  const double least = surfaces.least_clearance();
+  if (!closes && !may_rise(start.eccentricity - least, start.eccentricity_rate, end.eccentricity - least,
+                           end.eccentricity_rate)) {
+    return 0;
+  }
+  const std::size_t n_regions =
+      std::max(surfaces.bearing_wear.region_depths().size(), surfaces.journal_wear.region_depths().size());
+  const double turned = h * std::max(start.direction_rate, end.direction_rate);
+  const double passed = turned / (2.0 * std::numbers::pi) * static_cast<double>(n_regions);
+  return std::max(kParts, static_cast<int>(std::min(kPartsPerRegion * passed, 1e5)));
+}
+
+std::optional<ContactChange> ContactEvents::find_first_change(const DormandPrince& step,
+                                                              std::span<const ContactLatch> latches,
+                                                              const std::vector<GapState>& start,
+                                                              const std::vector<GapState>& end, Workspace& workspace) {
+  std::optional<ContactChange> first;
+  for (std::size_t k = 0; k < latches.size(); ++k) {
+    const bool in_contact = latches[k].in_contact;
+    const int n_parts = count_parts(k, in_contact, step.step(), start[k], end[k]);
+    if (n_parts == 0) continue;
+    const auto crossing =
+        find_crossing(k, in_contact ? -1.0 : 1.0, first ? first->share : 1.0, n_parts, step, workspace);
+    if (crossing) first = ContactChange{k, *crossing};
+  }
+  return first;
+}
+
+}  // namespace gudgeon

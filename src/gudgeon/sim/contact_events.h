@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// When, within a step, surfaces meet or part.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "gudgeon/sim/dormand_prince.h"
+#include "gudgeon/system/dynamics.h"
+
+namespace gudgeon {
+
+/// What the gap of one contact needs to be watched over a step.
+struct GapState {
+  double eccentricity = 0.0;       ///< e [m]
+  double eccentricity_rate = 0.0;  ///< ė [m/s]
+  double direction_rate = 0.0;     ///< [rad/s] of the line of centres along the faster of the two surfaces
+  double penetration = 0.0;       ///< δ [m]
+  double penetration_rate = 0.0;  ///< δ̇ [m/s]
+};
+
+/// The first change of contact in a step.
+struct ContactChange {
+  std::size_t contact = 0;
+  double share = 1.0;  ///< of the step, by dense output
+};
+
+/// Watches the gaps of all contacts over steps. Holds its own scratch memory.
+class ContactEvents {
+ public:
+  explicit ContactEvents(const Tables& tables);
+
+  /// Gaps at coordinates that the workspace was last updated for.
+  void find_gaps(Workspace& workspace, std::vector<GapState>& gaps) const noexcept;
+
+  /// The earliest change of any contact between start and end of the attempted step: a gap that closes in free flight,
+  /// or a contact that opens. Also finds those that begin and end inside the step. start and end are the gaps at the
+  /// step's ends. Uses the workspace for interpolated states.
+  std::optional<ContactChange> find_first_change(const DormandPrince& step, std::span<const ContactLatch> latches,
+                                                 const std::vector<GapState>& start, const std::vector<GapState>& end,
+                                                 Workspace& workspace);
+
+ private:
+  GapState find_gap(std::size_t contact, const Workspace& workspace) const noexcept;
+  GapState find_gap_at(double share, std::size_t contact, const DormandPrince& step, Workspace& workspace);
+  std::optional<double> find_crossing(std::size_t contact, double sign, double limit, int n_parts,
+                                      const DormandPrince& step, Workspace& workspace);
+  int count_parts(std::size_t contact, bool in_contact, double h, const GapState& start, const GapState& end) const;
+
+  const Tables* tables_;
+  std::vector<double> interpolated_;
+};
+
+}  // namespace gudgeon

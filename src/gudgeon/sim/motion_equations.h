@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The ordinary differential equations that the integrator sees: coordinates, rates, and integrals carried along.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "gudgeon/system/dynamics.h"
+#include "gudgeon/system/system.h"
+
+namespace gudgeon {
+
+/// The integrals of power [J] that stand behind coordinates and rates in the integrator's vector.
+enum EnergyIntegral : int { kDriverWork, kContactDamping, kFrictionLoss, kSurfaceWork, kExchanged, kEnergyIntegrals };
+
+/// What wear needs to know of one contact at one stage of a step.
+struct ContactSample {
+  Vec2 normal;
+  double bearing_angle = 0.0;
+  double journal_angle = 0.0;
+  double bearing_radius = 0.0;
+  double journal_radius = 0.0;
+  double penetration = 0.0;
+  double normal_force = 0.0;
+  double slip_speed = 0.0;
+};
+
+/// y = [q | v | energy integrals] and ẏ. Holds the latches and the workspace of one run.
+class MotionEquations {
+ public:
+  MotionEquations(const System& system, Feedback feedback)
+      : latches(system.tables.contacts.size()),
+        workspace(system.tables),
+        tables_(&system.tables),
+        n_free_(static_cast<std::size_t>(system.tables.counts.n_free())),
+        feedback_(feedback) {}
+
+  [[nodiscard]] std::size_t n_free() const { return n_free_; }
+  [[nodiscard]] std::size_t size() const { return 2 * n_free_ + kEnergyIntegrals; }
+
+  void eval(double t, const double* y, double* slope) noexcept {
+    const double* q = y;
+    const double* v = y + n_free_;
+    eval_dynamics(*tables_, t, q, v, latches, feedback_, workspace);
+    for (std::size_t i = 0; i < n_free_; ++i) {
+      slope[i] = v[i];
+      slope[n_free_ + i] = workspace.equations[i];
+    }
+    double* power = slope + 2 * n_free_;
+    power[kDriverWork] = find_driver_power(*tables_, workspace);
+    power[kContactDamping] = power[kFrictionLoss] = power[kSurfaceWork] = 0.0;
+    for (const ContactForces& forces : workspace.contact_forces) {
+      power[kContactDamping] += forces.damping_power;
+      power[kFrictionLoss] += forces.friction_power;
+      power[kSurfaceWork] += forces.surface_power;
+    }
+    power[kExchanged] = std::abs(power[kDriverWork]) + std::abs(power[kContactDamping]) + power[kFrictionLoss];
+  }
+
+  /// The last evaluation's contact, as wear sees it.
+  [[nodiscard]] ContactSample find_sample(std::size_t k) const noexcept {
+    const Contact& contact = tables_->contacts[k];
+    const ContactForces& forces = workspace.contact_forces[k];
+    return {forces.gap.normal,
+            workspace.coordinates.angle[contact.bearing_turn] + contact.bearing_offset,
+            workspace.coordinates.angle[contact.journal_turn] + contact.journal_offset,
+            forces.gap.bearing_radius,
+            forces.gap.journal_radius,
+            forces.gap.penetration,
+            forces.normal_force,
+            forces.slip_speed};
+  }
+
+  std::vector<ContactLatch> latches;
+  Workspace workspace;
+
+ private:
+  const Tables* tables_;
+  std::size_t n_free_;
+  Feedback feedback_;
+};
+
+}  // namespace gudgeon

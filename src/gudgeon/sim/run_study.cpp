@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Ideal run, then dynamics and wear in turn.
+#include "gudgeon/sim/run_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gudgeon/base/diagnostics.h"
+#include "gudgeon/model/cycle_time.h"
+#include "gudgeon/sim/stage_run.h"
+#include "gudgeon/system/assembly.h"
+#include "gudgeon/system/mobility.h"
+
+namespace gudgeon {
+
+namespace {
+
+std::string stage_name(int wear_updates) {
+  return wear_updates == 0 ? std::string{"no_wear"} : fmt::format("wear_{}", wear_updates);
+}
+
+std::vector<double> add_depths(std::vector<double> depth, const std::vector<double>& added) {
+  for (std::size_t k = 0; k < depth.size(); ++k) depth[k] += added[k];
+  return depth;
+}
+
+// The surfaces that the next stage runs on.
+void rebuild_surfaces(System& system, const StageRecord& stage) {
+  for (std::size_t k = 0; k < stage.wear.size(); ++k) {
+    const JointWear& wear = stage.wear[k];
+    set_surfaces(system, k, RadialProfile(add_depths(wear.bearing_depth, wear.bearing_depth_added)),
+                 RadialProfile(add_depths(wear.journal_depth, wear.journal_depth_added)));
+  }
+}
+
+class StudyRunner {
+ public:
+  StudyRunner(const Mechanism& mechanism, const Study& study, const RunHooks& hooks)
+      : mechanism_(mechanism),
+        study_(study),
+        hooks_(hooks),
+        assembly_(assemble(mechanism)),
+        cycle_time_(find_cycle_time(mechanism, study)),
+        has_clearance_(std::ranges::any_of(
+            mechanism.joints, [](const Joint& j) { return std::holds_alternative<RevoluteClearance>(j.kind); })),
+        n_stages_(has_clearance_ ? (study.compare_ideal ? 1 : 0) + 1 + study.wear_stages : 1) {}
+
+  std::vector<StageRecord> run() {
+    // A mechanism without clearance is its own ideal.
+    if (study_.compare_ideal || !has_clearance_) {
+      if (!run_stage(compile(make_ideal(mechanism_), assembly_), "ideal")) return std::move(stages_);
+    }
+    if (!has_clearance_) return std::move(stages_);
+    System system = compile(mechanism_, assembly_);
+    for (int wear_updates = 0; wear_updates <= study_.wear_stages; ++wear_updates) {
+      if (!run_stage(system, stage_name(wear_updates))) break;
+      rebuild_surfaces(system, stages_.back());
+    }
+    return std::move(stages_);
+  }
+
+ private:
+  // Every stage starts from the assembled position, journals in the middle of their bearings.
+  bool run_stage(const System& system, const std::string& name) {
+    const int index = static_cast<int>(stages_.size());
+    const auto report = [&](double fraction) {
+      if (hooks_.progress) hooks_.progress({name, index, n_stages_, fraction});
+    };
+    report(0.0);
+    StageRun stage(system, study_, cycle_time_, name);
+    stages_.push_back(stage.run(make_state(system, assembly_), hooks_.stop, report));
+    if (hooks_.stage_finished) hooks_.stage_finished(stages_.back());
+    return stages_.back().status == StageStatus::finished;
+  }
+
+  const Mechanism& mechanism_;
+  const Study& study_;
+  const RunHooks& hooks_;
+  Assembly assembly_;
+  double cycle_time_;
+  bool has_clearance_;
+  int n_stages_;
+  std::vector<StageRecord> stages_;
+};
+
+void throw_if_singular(const Mechanism& mechanism) {
+  if (!find_mobility(mechanism).singular_start) return;
+  Diagnostics diagnostics;
+  diagnostics.error("E-MODEL-073", "", "the mechanism starts in a singular position, where its motion is not determined",
+                    {"start a little beside it: change a start angle or a driver's start"});
+  throw ModelError(diagnostics);
+}
+
+}  // namespace
+
+std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& study, const RunHooks& hooks) {
+  throw_if_singular(mechanism);
+  return StudyRunner(mechanism, study, hooks).run();
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The channels of a stage: what is sampled at even times, and whose peaks are watched at every step.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gudgeon/results/statistics.h"
+#include "gudgeon/sim/contact_events.h"
+#include "gudgeon/sim/motion_equations.h"
+#include "gudgeon/system/body_motion.h"
+#include "gudgeon/system/reactions.h"
+
+namespace gudgeon {
+
+class StageRecorder {
+ public:
+  explicit StageRecorder(const System& system);
+
+  [[nodiscard]] const std::vector<Channel>& channels() const { return channels_; }
+
+  /// Energies at the state the workspace was last evaluated for.
+  struct Energies {
+    double kinetic = 0.0;
+    double potential = 0.0;
+    double elastic = 0.0;
+    [[nodiscard]] double total() const { return kinetic + potential + elastic; }
+  };
+  Energies find_energies(const Workspace& workspace);
+
+  /// Appends one sample of all channels; initial_energy [J] is that of the stage's start, integrals those carried along.
+  void sample(double time, Workspace& workspace, std::span<const ContactLatch> latches, double initial_energy,
+              const double* integrals);
+  /// Takes one accepted step into the statistics of contacts, efforts and accelerations.
+  void watch(double time, const Workspace& workspace, std::span<const GapState> gaps);
+  /// Starts statistics anew: the warm-up is over.
+  void reset_statistics();
+
+  /// Moves what was recorded into the stage.
+  void finish(StageRecord& stage);
+
+ private:
+  void add_body_channels();
+  void add_clearance_channels();
+  void add_joint_channels();
+  void add_driver_channels();
+  void add_energy_channels();
+  void add(std::string name, std::string symbol, std::string unit, std::string description, bool watched = false);
+  void fill_bodies();
+  void fill_clearances(const Workspace& workspace, std::span<const ContactLatch> latches);
+  void fill_joints();
+  void fill_energies(const Workspace& workspace, double initial_energy, const double* integrals);
+  void put(double value) { row_[next_++] = value; }
+  void put(Vec2 value) { put(value.x), put(value.y); }
+
+  const System* system_;
+  BodyMotionFinder motion_;
+  ReactionFinder reaction_;
+  std::vector<Channel> channels_;
+  std::vector<bool> watched_;  // one a channel: its statistics are taken at every step
+  std::vector<double> row_;
+  std::size_t next_ = 0;
+  std::vector<double> watched_row_;
+  std::vector<double> sampled_row_;
+  std::vector<double> time_;
+  std::vector<std::vector<double>> values_;
+  StatisticsAccumulator step_statistics_;
+  StatisticsAccumulator sample_statistics_;
+};
+
+}  // namespace gudgeon

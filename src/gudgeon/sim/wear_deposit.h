@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Wear of one clearance joint, laid down region by region while a stage runs.
+#pragma once
+
+#include "gudgeon/geometry/arc_accumulator.h"
+#include "gudgeon/model/study.h"
+#include "gudgeon/results/run_record.h"
+#include "gudgeon/sim/motion_equations.h"
+
+namespace gudgeon {
+
+/// dh = k_d p ds for both surfaces of one joint; eqs. (26) to (32) of the paper. Pressure is uniform over the contact
+/// arc, p = F/(w L). Spread deposition lays the depth over the arc, so that the removed volume is ∫ k_d F ds whatever the
+/// number of regions; point deposition gives it to the one region of the contact point.
+class WearDeposit {
+ public:
+  WearDeposit(const Contact& contact, Deposition deposition, int n_regions);
+
+  /// One stage of an accepted step, weight [s] being its share of the step's length. Negative weights are part of the
+  /// integrator's rule.
+  void add(const ContactSample& sample, double weight) noexcept;
+  /// Time spent in contact.
+  void add_contact_time(double time) noexcept { contact_time_ += time; }
+
+  /// What the stage wore, magnified. The surfaces it ran on are taken from the contact.
+  [[nodiscard]] JointWear summarize(const std::string& joint, double magnification) const;
+
+ private:
+  const Contact* contact_;
+  Deposition deposition_;
+  ArcAccumulator bearing_;
+  ArcAccumulator journal_;
+  ArcAccumulator total_;  // both surfaces, over the bearing's circumference
+  double volume_ = 0.0;
+  double sliding_distance_ = 0.0;
+  double impulse_ = 0.0;
+  double contact_time_ = 0.0;
+};
+
+}  // namespace gudgeon
