@@ -4,7 +4,6 @@
 // How much of the circumference a journal touches when it is pressed into its bearing.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 namespace gudgeon {
@@ -17,16 +16,18 @@ struct ContactArc {
 /// cos β = (e² + R_i² − R_j²)/(2 e R_i), arc length R_i sin β, with e = R_i − R_j + δ.
 ///
 /// The real arc is narrower than the geometric overlap; the paper takes half the chord for it. δ → 0: both vanish as
-/// √δ. δ so large that the circles no longer intersect: half the circumference. Eqs. (26) to (28) of the paper,
-/// written with 1 − cos β = δ (2 R_j − δ)/(2 e R_i), which loses no digits at small δ.
+/// √δ. At e² = R_i² − R_j² the chord is the journal's diameter, half of its circumference in contact; a deeper journal
+/// keeps that. Eqs. (26) to (28) of the paper, written with 1 − cos β = δ (2 R_j − δ)/(2 e R_i), which loses no digits
+/// at small δ. Holds for R_j < R_i.
 inline ContactArc find_contact_arc(double penetration, double bearing_radius, double journal_radius) noexcept {
   if (!(penetration > 0.0)) return {0.0, 0.0};
   const double eccentricity = bearing_radius - journal_radius + penetration;
-  const double versine = penetration * (2.0 * journal_radius - penetration) /
-                         (2.0 * eccentricity * bearing_radius);
-  const double clamped = std::min(versine, 1.0);  // beyond a quarter turn the half chord is the radius itself
-  const double sine = std::sqrt(clamped * (2.0 - clamped));
-  return {std::atan2(sine, 1.0 - clamped), bearing_radius * sine};
+  if (eccentricity * eccentricity > bearing_radius * bearing_radius - journal_radius * journal_radius) {
+    return {std::asin(journal_radius / bearing_radius), journal_radius};
+  }
+  const double versine = penetration * (2.0 * journal_radius - penetration) / (2.0 * eccentricity * bearing_radius);
+  const double sine = std::sqrt(versine * (2.0 - versine));
+  return {std::atan2(sine, 1.0 - versine), bearing_radius * sine};
 }
 
 }  // namespace gudgeon

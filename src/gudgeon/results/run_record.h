@@ -48,13 +48,11 @@ struct EnergyLedger {
   double contact_damping = 0.0;   ///< lost in contacts along their normal
   double friction = 0.0;          ///< lost in contacts along their slip
   double surface_work = 0.0;      ///< done by worn surfaces whose law is not conservative
-  double stabilization = 0.0;     ///< added by projecting onto the loop closures
   double exchanged = 0.0;         ///< time integral of |driver power| + |damping| + |friction| power
 
   /// What is missing: energy now − energy at the start − work done on the mechanism.
   [[nodiscard]] double residual() const {
-    return (kinetic + potential + elastic) - initial_energy - driver_work + contact_damping + friction - surface_work -
-           stabilization;
+    return (kinetic + potential + elastic) - initial_energy - driver_work + contact_damping + friction - surface_work;
   }
 };
 

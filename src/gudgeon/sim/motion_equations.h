@@ -38,6 +38,7 @@ class MotionEquations {
         feedback_(feedback) {}
 
   [[nodiscard]] std::size_t n_free() const { return n_free_; }
+  [[nodiscard]] Feedback feedback() const { return feedback_; }
   [[nodiscard]] std::size_t size() const { return 2 * n_free_ + kEnergyIntegrals; }
 
   void eval(double t, const double* y, double* slope) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Step control, contact changes, projection, sampling.
+// Steps, contact changes, projection, sampling.
 #include "gudgeon/sim/stage_run.h"
 
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace gudgeon {
 
@@ -25,13 +26,8 @@ constexpr int kMostLandings = 50;
 constexpr double kProjectionShare = 0.1;
 // A step is at most this share of a cycle, so that no motion of the mechanism is jumped over.
 constexpr double kLargestStepShare = 0.02;
-// Step control: safety, bounds of one change, and the exponents of a proportional-integral controller of order 5.
-constexpr double kSafety = 0.9;
-constexpr double kLeastChange = 0.2;
-constexpr double kMostChange = 5.0;
-constexpr double kLeastError = 1e-10;
-constexpr double kErrorExponent = 0.17;
-constexpr double kLastErrorExponent = 0.04;
+// The first step is this share of a cycle; the error control finds the right one within a few.
+constexpr double kFirstStepShare = 1e-5;
 
 }  // namespace
 
@@ -42,6 +38,10 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
                              ? Feedback{study.baumgarte_alpha, study.baumgarte_beta}
                              : Feedback{}),
       stepper_(equations_.size()),
+      control_(study, static_cast<std::size_t>(system.tables.counts.n_free_turns), 2 * equations_.n_free(),
+               kFirstStepShare * cycle_time),
+      projection_(system.tables, kProjectionShare * study.absolute_tolerance),
+      passage_(study.absolute_tolerance + study.relative_tolerance),
       events_(system.tables),
       recorder_(system),
       scratch_(system.tables),
@@ -51,12 +51,10 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
       y_(equations_.size(), 0.0),
       slope_(equations_.size(), 0.0),
       interpolated_(equations_.size()),
-      correction_(equations_.n_free()),
-      residual_(system.tables.closures.size()),
       gaps_(system.tables.contacts.size()),
       end_gaps_(system.tables.contacts.size()),
       samples_(DormandPrince::kStages, std::vector<ContactSample>(system.tables.contacts.size())),
-      open_events_(system.tables.contacts.size()) {
+      history_(system.tables.contacts.size(), study.warm_up_cycles * cycle_time) {
   record_.name = std::move(name);
   record_.cycle_time = cycle_time;
   record_.start_time = warm_up_end_;
@@ -98,27 +96,28 @@ void StageRun::begin(const State& start) {
   initial_energies_ = recorder_.find_energies(equations_.workspace);
   events_.find_gaps(equations_.workspace, end_gaps_);
   for (std::size_t k = 0; k < end_gaps_.size(); ++k) {
-    if (end_gaps_[k].penetration > 0.0) change_contact(k);
+    if (!(end_gaps_[k].penetration > 0.0)) continue;
+    fail(fmt::format("joint '{}' starts with its journal {:.4g} um inside its bearing",
+                     system_.mechanism.joints[system_.tables.contacts[k].joint].name, 1e6 * end_gaps_[k].penetration));
   }
   gaps_ = end_gaps_;
   stepper_.begin(0.0, y_, slope_);
-  // A small fraction of a cycle; the error control finds the right step within a few.
-  h_next_ = 1e-5 * record_.cycle_time;
-  if (warm_up_end_ == 0.0) sample_until(0.0);
+  if (warm_up_end_ == 0.0) sample_until(0.0, [&](double) { interpolated_ = y_; });
 }
 
 double StageRun::next_milestone() const { return time_ < warm_up_end_ ? warm_up_end_ : end_; }
 
 // One accepted step, or failure.
 bool StageRun::advance() {
-  double h = std::min(h_next_, kLargestStepShare * record_.cycle_time);
+  if (pass_singular_position()) return true;
+  double h = std::min(control_.next_step(), kLargestStepShare * record_.cycle_time);
+  h = std::min(h, passage_.find_longest_step());
   if (study_.max_step > 0.0) h = std::min(h, study_.max_step);
   const double left = next_milestone() - time_;
-  const bool last = h >= left * (1.0 - 1e-12);
-  if (last) h = left;
+  if (h >= left * (1.0 - 1e-12)) h = left;  // no sliver of a step before a milestone
   while (!attempt_step(h)) {
     ++record_.solver.rejected_steps;
-    h = std::min(h_next_, 0.9 * h);
+    h = std::min(h, control_.next_step());
     if (h < kSmallestStep) {
       fail("step below 1e-12 s");
       return false;
@@ -128,23 +127,31 @@ bool StageRun::advance() {
   return true;
 }
 
-// Tries h and, when a contact changes within it, the part up to the change. Sets h_next_.
+// Strides over a singular position that lies ahead; only free motion is smooth enough to be continued.
+bool StageRun::pass_singular_position() {
+  const std::optional<double> far_side = passage_.find_far_side();
+  if (!far_side || *far_side >= next_milestone()) return false;
+  if (std::ranges::any_of(equations_.latches, &ContactLatch::in_contact)) return false;
+  sample_until(*far_side, [&](double at) { passage_.interpolate(at, interpolated_); });
+  passage_.interpolate(*far_side, y_);
+  time_ = *far_side;
+  passage_.forget();
+  equations_.eval(time_, y_.data(), slope_.data());
+  ++record_.solver.evaluations;
+  project();
+  events_.find_gaps(equations_.workspace, gaps_);
+  stepper_.begin(time_, y_, slope_);
+  return true;
+}
+
+// Tries h and, when a contact changes within it, the part up to the change.
 bool StageRun::attempt_step(double h) {
   attempt(h);
-  const double error = find_error();
-  if (!std::isfinite(error)) {
-    h_next_ = kLeastChange * h;
-    return false;
-  }
-  const double change = kSafety * std::pow(error, -kErrorExponent) * std::pow(last_error_, kLastErrorExponent);
-  h_next_ = h * std::clamp(change, kLeastChange, error > 1.0 ? 1.0 : kMostChange);
-  if (error > 1.0) return false;
-  last_error_ = std::max(error, 1e-4);
-
+  if (!control_.accepts(stepper_)) return false;
   events_.find_gaps(equations_.workspace, end_gaps_);
-  const auto contact_change =
-      events_.find_first_change(stepper_, equations_.latches, gaps_, end_gaps_, scratch_);
-  return !contact_change || land_on_change(*contact_change);
+  const auto change = events_.find_first_change(stepper_, equations_.latches, gaps_, end_gaps_, scratch_);
+  if (change) land_on_change(*change);
+  return true;
 }
 
 void StageRun::attempt(double h) {
@@ -157,25 +164,9 @@ void StageRun::attempt(double h) {
   record_.solver.evaluations += DormandPrince::kStages - 1;
 }
 
-// Root mean square of the local errors of coordinates and rates, against their tolerances; energies follow from them.
-double StageRun::find_error() const {
-  const std::size_t n_free = equations_.n_free();
-  const auto n_turns = static_cast<std::size_t>(system_.tables.counts.n_free_turns);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < 2 * n_free; ++i) {
-    double size = std::max(std::abs(stepper_.start()[i]), std::abs(stepper_.end()[i]));
-    if (i < n_turns) size = std::min(size, 1.0);  // an angle's error does not become harmless after many turns
-    const double ratio = stepper_.error()[i] / (study_.absolute_tolerance + study_.relative_tolerance * size);
-    sum += ratio * ratio;
-  }
-  for (std::size_t i = 2 * n_free; i < stepper_.end().size(); ++i) sum += 0.0 * stepper_.end()[i];  // must be finite
-  if (n_free == 0) return kLeastError;
-  return std::max(std::sqrt(sum / static_cast<double>(2 * n_free)), kLeastError);
-}
-
 // Steps again so as to end just on the near side of an onset, or just past a separation: within kOnsetTime of the change
 // and with the gap open in both cases. Newton's method on the step's length, kept inside a bracket.
-bool StageRun::land_on_change(const ContactChange& change) {
+void StageRun::land_on_change(const ContactChange& change) {
   const std::size_t k = change.contact;
   const double sign = equations_.latches[k].in_contact ? -1.0 : 1.0;
   double before = 0.0;
@@ -186,7 +177,11 @@ bool StageRun::land_on_change(const ContactChange& change) {
     events_.find_gaps(equations_.workspace, end_gaps_);
     const double penetration = end_gaps_[k].penetration;
     const double rate = end_gaps_[k].penetration_rate;
-    if (!std::isfinite(penetration)) return false;
+    if (!std::isfinite(penetration)) {
+      after = h;
+      h = 0.5 * (before + after);
+      continue;
+    }
     const double excess = penetration + 0.5 * kOnsetTime * std::abs(rate);
     if (std::abs(excess) <= 0.5 * kOnsetTime * std::abs(rate) || after - before <= kSmallestStep) break;
     (sign * excess > 0.0 ? after : before) = h;
@@ -194,28 +189,24 @@ bool StageRun::land_on_change(const ContactChange& change) {
     h = newton > before && newton < after ? newton : 0.5 * (before + after);
   }
   pending_change_ = k;
-  return true;
 }
 
 void StageRun::change_contact(std::size_t k) {
   ContactLatch& latch = equations_.latches[k];
-  ContactEvent& event = open_events_[k];
+  passage_.forget();
   if (latch.in_contact) {
     latch = {};
-    event.duration = time_ - event.onset_time;
-    if (event.onset_time >= warm_up_end_) record_.events.push_back(event);
+    for (auto& stage : samples_) stage[k] = {};
+    history_.end(k, time_);
     ++record_.solver.separations;
     return;
   }
   latch = {true, end_gaps_[k].penetration_rate};
-  const Contact& contact = system_.tables.contacts[k];
-  const RevoluteMotion motion = find_contact_motion(contact, equations_.workspace);
+  const RevoluteMotion motion = find_contact_motion(system_.tables.contacts[k], equations_.workspace);
   const double direction = std::atan2(motion.offset.y, motion.offset.x) - motion.bearing_angle;
-  event = {static_cast<std::int32_t>(k), time_, 0.0, latch.onset_speed,
-           std::remainder(direction, 2.0 * std::numbers::pi), 0.0};
+  history_.begin(k, time_, latch.onset_speed, std::remainder(direction, 2.0 * std::numbers::pi));
+  control_.note_onset();
   ++record_.solver.onsets;
-  if (h_after_onset_ > 0.0) h_next_ = std::min(h_next_, h_after_onset_);
-  after_onset_ = true;
 }
 
 void StageRun::accept() {
@@ -229,16 +220,17 @@ void StageRun::accept() {
   // Two contacts may change at one instant, with no time between.
   if (h > 0.0) solver.smallest_step = solver.smallest_step > 0.0 ? std::min(solver.smallest_step, h) : h;
   solver.largest_step = std::max(solver.largest_step, h);
+  control_.note_step(h);
 
   if (time_ >= warm_up_end_) deposit_wear();
   time_ = new_time;
   y_ = stepper_.end();
   slope_ = stepper_.end_slope();
-  sample_until(time_);
+  if (h > 0.0) sample_until(time_, [&](double at) { interpolate_step(at); });
   project();
   watch_contacts();
-  if (pending_change_) change_contact(*pending_change_);
-  pending_change_.reset();
+  passage_.note(time_, y_, slope_, find_singular_closeness(system_.tables, equations_.workspace));
+  if (pending_change_) change_contact(*std::exchange(pending_change_, std::nullopt));
   gaps_ = end_gaps_;
   stepper_.begin(time_, y_, slope_);
 }
@@ -258,63 +250,44 @@ void StageRun::deposit_wear() {
   }
 }
 
-// Projects positions, then rates, while the closures are off by more than tolerance.
 void StageRun::project() {
-  Workspace& workspace = equations_.workspace;
-  const std::size_t n_free = equations_.n_free();
-  const auto largest = [](const std::vector<Vec2>& residual) {
-    double most = 0.0;
-    for (const Vec2 r : residual) most = std::max(most, norm(r));
-    return most;
-  };
-  record_.solver.closure_residual = std::max(record_.solver.closure_residual, largest(workspace.closure_gap));
+  SolverStatistics& solver = record_.solver;
+  solver.closure_residual = std::max(solver.closure_residual, find_largest(equations_.workspace.closure_gap));
   if (study_.stabilization == Stabilization::baumgarte) return;
-  const double tolerance = kProjectionShare * study_.absolute_tolerance;
-  for (const bool rates : {false, true}) {
-    const std::vector<Vec2>& current = rates ? workspace.closure_rate : workspace.closure_gap;
-    if (largest(current) <= tolerance) continue;
-    residual_ = current;
-    find_correction(system_.tables, residual_, workspace, correction_.data());
-    for (std::size_t i = 0; i < n_free; ++i) y_[(rates ? n_free : 0) + i] += correction_[i];
-    equations_.eval(time_, y_.data(), slope_.data());
-    ++record_.solver.evaluations;
-    ++record_.solver.projections;
-  }
+  const int n_corrections = projection_.project(time_, y_, slope_, equations_);
+  solver.projections += n_corrections;
+  solver.evaluations += n_corrections;
 }
 
 void StageRun::watch_contacts() {
   Workspace& workspace = equations_.workspace;
   if (time_ == warm_up_end_) recorder_.reset_statistics();
   if (time_ >= warm_up_end_) recorder_.watch(time_, workspace, end_gaps_);
-  for (std::size_t k = 0; k < open_events_.size(); ++k) {
-    if (equations_.latches[k].in_contact) {
-      samples_[0][k] = equations_.find_sample(k);
-      open_events_[k].peak_force = std::max(open_events_[k].peak_force, samples_[0][k].normal_force);
-    } else {
-      for (auto& stage : samples_) stage[k] = {};
-    }
+  for (std::size_t k = 0; k < end_gaps_.size(); ++k) {
+    if (!equations_.latches[k].in_contact) continue;
+    samples_[0][k] = equations_.find_sample(k);
+    history_.watch(k, samples_[0][k].normal_force);
   }
-  if (after_onset_) after_onset_ = false, h_after_onset_ = stepper_.step();
 }
 
-// All samples that fall into the step just accepted.
-void StageRun::sample_until(double time) {
+// All samples up to a time; interpolate(t) writes the state at t to interpolated_.
+template <class Interpolate>
+void StageRun::sample_until(double time, Interpolate&& interpolate) {
   const std::int64_t n_total = static_cast<std::int64_t>(study_.cycles) * study_.outputs_per_cycle;
   for (; n_samples_ <= n_total; ++n_samples_) {
     const double at = warm_up_end_ + static_cast<double>(n_samples_) * sample_step_;
     // The last sample stands at the end, whatever rounding says.
     if (at > time && !(n_samples_ == n_total && time >= end_)) return;
-    const double h = stepper_.step();
-    const double share = h > 0.0 ? std::clamp((at - stepper_.start_time()) / h, 0.0, 1.0) : 0.0;
-    if (h > 0.0) {
-      stepper_.interpolate(share, interpolated_.size(), interpolated_.data());
-    } else {
-      interpolated_ = y_;
-    }
+    interpolate(at);
     const double* y = interpolated_.data();
-    eval_dynamics(system_.tables, at, y, y + equations_.n_free(), equations_.latches, {}, scratch_);
+    eval_dynamics(system_.tables, at, y, y + equations_.n_free(), equations_.latches, equations_.feedback(), scratch_);
     recorder_.sample(at, scratch_, equations_.latches, initial_energies_.total(), y + 2 * equations_.n_free());
   }
+}
+
+void StageRun::interpolate_step(double time) {
+  const double share = (time - stepper_.start_time()) / stepper_.step();
+  stepper_.interpolate(std::clamp(share, 0.0, 1.0), interpolated_.size(), interpolated_.data());
 }
 
 void StageRun::fail(const std::string& reason) {
@@ -336,15 +309,16 @@ void StageRun::fail(const std::string& reason) {
 void StageRun::finish() {
   record_.end_time = time_;
   record_.cycles = static_cast<int>(std::max(0.0, time_ - warm_up_end_) / record_.cycle_time + 1e-9);
-  for (std::size_t k = 0; k < open_events_.size(); ++k) {
-    if (!equations_.latches[k].in_contact) continue;
-    open_events_[k].duration = time_ - open_events_[k].onset_time;
-    if (time_ > warm_up_end_) record_.events.push_back(open_events_[k]);
+  for (std::size_t k = 0; k < end_gaps_.size(); ++k) {
+    if (equations_.latches[k].in_contact) history_.end(k, time_);
   }
+  record_.events = std::move(history_.events());
   for (std::size_t k = 0; k < wear_.size(); ++k) {
     record_.wear.push_back(wear_[k].summarize(system_.mechanism.joints[system_.tables.contacts[k].joint].name,
                                               study_.magnification));
   }
+  // A failed attempt may have left anything in the workspace: evaluate the last accepted state again.
+  equations_.eval(time_, y_.data(), slope_.data());
   const StageRecorder::Energies energies = recorder_.find_energies(equations_.workspace);
   const double* integrals = y_.data() + 2 * equations_.n_free();
   EnergyLedger& ledger = record_.ledger;

@@ -12,10 +12,14 @@
 
 #include "gudgeon/model/study.h"
 #include "gudgeon/results/run_record.h"
+#include "gudgeon/sim/closure_projection.h"
 #include "gudgeon/sim/contact_events.h"
+#include "gudgeon/sim/contact_history.h"
 #include "gudgeon/sim/dormand_prince.h"
 #include "gudgeon/sim/motion_equations.h"
+#include "gudgeon/sim/singular_passage.h"
 #include "gudgeon/sim/stage_recorder.h"
+#include "gudgeon/sim/step_control.h"
 #include "gudgeon/sim/wear_deposit.h"
 #include "gudgeon/system/system.h"
 
@@ -37,14 +41,16 @@ class StageRun {
   void begin(const State& start);
   bool advance();
   bool attempt_step(double h);
-  double find_error() const;
-  bool land_on_change(const ContactChange& change);
+  void land_on_change(const ContactChange& change);
   void attempt(double h);
   void accept();
   void project();
   void change_contact(std::size_t contact);
   void deposit_wear();
-  void sample_until(double time);
+  bool pass_singular_position();
+  template <class Interpolate>
+  void sample_until(double time, Interpolate&& interpolate);
+  void interpolate_step(double time);
   void watch_contacts();
   double next_milestone() const;
   void fail(const std::string& reason);
@@ -54,6 +60,9 @@ class StageRun {
   const Study& study_;
   MotionEquations equations_;
   DormandPrince stepper_;
+  StepControl control_;
+  ClosureProjection projection_;
+  SingularPassage passage_;
   ContactEvents events_;
   StageRecorder recorder_;
   Workspace scratch_;
@@ -65,20 +74,14 @@ class StageRun {
   double sample_step_;   // [s]
   std::int64_t n_samples_ = 0;
   double time_ = 0.0;
-  double h_next_ = 0.0;
-  double h_after_onset_ = 0.0;  // the step that worked after the last onset
-  bool after_onset_ = false;
   std::optional<std::size_t> pending_change_;  // contact that changes at the end of the step
-  double last_error_ = 1.0;
   std::vector<double> y_;
   std::vector<double> slope_;
   std::vector<double> interpolated_;
-  std::vector<double> correction_;
-  std::vector<Vec2> residual_;
   std::vector<GapState> gaps_;      // at the start of the step
   std::vector<GapState> end_gaps_;
   std::vector<std::vector<ContactSample>> samples_;  // samples_[stage][contact]
-  std::vector<ContactEvent> open_events_;            // one a contact
+  ContactHistory history_;
   StageRecorder::Energies initial_energies_;
 };
 

@@ -11,6 +11,7 @@
 
 #include "gudgeon/system/closure_rank.h"
 #include "gudgeon/system/dynamics.h"
+#include "gudgeon/system/loose_start.h"
 #include "gudgeon/system/poses.h"
 
 namespace gudgeon {
@@ -258,6 +259,10 @@ class Assembler {
 
 }  // namespace
 
-Assembly assemble(const Mechanism& mechanism, double time) { return Assembler(mechanism, time).assemble(); }
+Assembly assemble(const Mechanism& mechanism, double time) {
+  Assembly assembly = Assembler(mechanism, time).assemble();
+  place_loose_bodies(mechanism, assembly);
+  return assembly;
+}
 
 }  // namespace gudgeon

@@ -39,7 +39,8 @@ struct Assembly {
 };
 
 /// Places every body at the given time, clearance joints as if they were ideal. Bodies keep the angles and
-/// displacements guessed for them as nearly as the joints and drivers permit.
+/// displacements guessed for them as nearly as the joints and drivers permit; a body that only clearance joints hold is
+/// then moved to the start position and velocity given for it.
 /// Throws ModelError when the joints cannot be closed, naming the joint and its gap, or when start speeds conflict.
 Assembly assemble(const Mechanism& mechanism, double time = 0.0);
 

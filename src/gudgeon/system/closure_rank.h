@@ -19,7 +19,7 @@ Eigen::VectorXd find_closure_gaps(const Workspace& workspace);
 /// Rates φ̇ of all closures, two entries each, after update_closures.
 Eigen::VectorXd find_closure_rates(const Workspace& workspace);
 
-/// Rank of a Jacobian whose rows are lengths per radian: singular values below this share of the largest count as zero.
+/// What is left of a row beside those before it counts as zero below this share of the longest row.
 inline constexpr double kRankThreshold = 1e-8;
 
 struct RowRank {

@@ -32,7 +32,7 @@ ContactForces find_contact_forces(const Contact& contact, const RevoluteMotion& 
   ContactForces forces;
   forces.gap = find_revolute_gap(contact.surfaces, motion);
   const RevoluteGap& gap = forces.gap;
-  if (!latch.in_contact || !(gap.penetration > 0.0)) return forces;
+  if (!latch.in_contact || gap.penetration <= 0.0) return forces;  // NaN goes on, to be seen
 
   // Along the normal.
   const double clearance = gap.bearing_radius - gap.journal_radius;

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Assembly of matrix and right-hand side from the tables, and their solution.
+// Coordinates from the state, the solution of the equations, and what follows from it.
 #include "gudgeon/system/dynamics.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "gudgeon/system/equations.h"
 
 namespace gudgeon {
 
@@ -50,162 +52,26 @@ RevoluteMotion find_contact_motion(const Contact& contact, const Workspace& work
 
 namespace {
 
-// C and S of a pair of turned vectors, see TurnPair.
-struct TurnedProducts {
-  double dot;
-  double cross;
-};
+// Pivots may be this much smaller than at the start before rounding in the elimination matters: errors grow with their
+// inverse, and this leaves twelve digits.
+constexpr double kRefinedCloseness = 1e4;
+// Each pass gains as many digits as the pivots have left; two serve down to pivots of 1e-12.
+constexpr int kRefinements = 2;
 
-inline TurnedProducts turn_products(double dot, double cross, Rotation i, Rotation j) noexcept {
-  const double cosine = i.c * j.c + i.s * j.s;
-  const double sine = i.c * j.s - i.s * j.c;
-  return {dot * cosine - cross * sine, cross * cosine + dot * sine};
-}
-
-void add_turn_pairs(const Tables& tables, Workspace& ws) noexcept {
-  const Rotation* rotation = ws.coordinates.rotation.data();
-  const double* rate = ws.coordinates.angle_rate.data();
-  for (const TurnPair& pair : tables.turn_pairs) {
-    const auto [c, s] = turn_products(pair.dot, pair.cross, rotation[pair.turn_i], rotation[pair.turn_j]);
-    ws.values[pair.slot] = c;
-    ws.equations[pair.index_i] += s * rate[pair.turn_j] * rate[pair.turn_j];
-    ws.equations[pair.index_j] -= s * rate[pair.turn_i] * rate[pair.turn_i];
+// Residual correction with the matrix as it was before its elimination: near a singular position the error of the
+// accelerations then grows with the inverse of the distance, not with its square.
+void refine(const Tables& tables, std::span<const ContactLatch> latches, Feedback feedback, Workspace& ws) noexcept {
+  const auto n = static_cast<std::ptrdiff_t>(tables.n_solve);
+  std::ranges::copy(ws.values, ws.factors.begin());
+  std::copy_n(ws.equations.begin(), n, ws.solution.begin());
+  for (int pass = 0; pass < kRefinements; ++pass) {
+    assemble_equations(tables, latches, feedback, ws);
+    tables.elimination.subtract_product(ws.values.data(), ws.solution.data(), ws.equations.data());
+    tables.elimination.solve(ws.factors.data(), ws.inverse_pivots.data(), ws.equations.data());
+    for (std::ptrdiff_t i = 0; i < n; ++i) ws.solution[i] += ws.equations[i];
   }
-}
-
-// With p = c_p R_i a and q = c_q R_j b, virtual work δp·q̈ + δq·p̈ (of a term with itself δp·p̈ alone).
-void add_slide_pairs(const Tables& tables, Workspace& ws) noexcept {
-  const Coordinates& at = ws.coordinates;
-  for (const SlidePair& pair : tables.slide_pairs) {
-    const auto [c, s] = turn_products(pair.dot, pair.cross, at.rotation[pair.turn_i], at.rotation[pair.turn_j]);
-    const double cp = at.slide[pair.slide_i];
-    const double cq = at.slide[pair.slide_j];
-    const double rate_i = at.angle_rate[pair.turn_i];
-    const double rate_j = at.angle_rate[pair.turn_j];
-    const double along_q = cq * rate_j * rate_j;                      // −q̈ along R_j b, for constant coordinates' rates
-    const double across_q = 2.0 * at.slide_rate[pair.slide_j] * rate_j;  // q̈ across it
-    ws.equations[pair.index_ti] += cp * (along_q * s - across_q * c);
-    ws.equations[pair.index_si] += along_q * c + across_q * s;
-    if (pair.is_self) {
-      ws.values[pair.slot_tt] += cp * cp * c;
-      ws.values[pair.slot_ss] += c;
-      continue;
-    }
-    const double along_p = cp * rate_i * rate_i;
-    const double across_p = 2.0 * at.slide_rate[pair.slide_i] * rate_i;
-    ws.equations[pair.index_tj] -= cq * (along_p * s + across_p * c);
-    ws.equations[pair.index_sj] += along_p * c - across_p * s;
-    // Terms of one turn meet in its diagonal entry, once for either order.
-    ws.values[pair.slot_tt] += (pair.turn_i == pair.turn_j ? 2.0 : 1.0) * cp * cq * c;
-    ws.values[pair.slot_ts] += cp * s;
-    ws.values[pair.slot_st] -= cq * s;
-    ws.values[pair.slot_ss] += c;
-  }
-}
-
-void add_constant_loads(const Tables& tables, Workspace& ws) noexcept {
-  const Coordinates& at = ws.coordinates;
-  for (const FieldTerm& field : tables.fields) {
-    const Rotation r = at.rotation[field.turn];
-    ws.equations[field.index_turn] += at.slide[field.slide] * (field.cross * r.c - field.dot * r.s);
-    ws.equations[field.index_slide] += field.dot * r.c + field.cross * r.s;
-  }
-  for (const TurnTorque& torque : tables.torques) ws.equations[torque.index] += torque.torque;
-}
-
-void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, Workspace& ws) noexcept {
-  bool any = false;
-  for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
-    any = any || latches[k].in_contact;
-    ws.contact_forces[k] = {};
-  }
-  if (!any) return;
-  update_contact_motions(tables, ws);
-  std::ranges::fill(ws.contact_loads, Vec2{});
-  for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
-    if (!latches[k].in_contact) continue;
-    const Contact& contact = tables.contacts[k];
-    const ContactForces forces = find_contact_forces(contact, find_contact_motion(contact, ws), latches[k]);
-    ws.contact_loads[contact.journal_row] += forces.force_on_journal;
-    ws.contact_loads[contact.bearing_row] -= forces.force_on_journal;
-    ws.equations[contact.journal_index] += forces.torque_on_journal;
-    ws.equations[contact.bearing_index] += forces.torque_on_bearing;
-    ws.contact_forces[k] = forces;
-  }
-  // Virtual work of each row's force, handed down to the row it starts from.
-  const auto& rows = tables.contact_points.rows();
-  for (std::size_t r = rows.size(); r-- > 0;) {
-    const PointChain::Row& row = rows[r];
-    const Vec2 load = ws.contact_loads[r];
-    const Vec2 arm = ws.coordinates.rotation[row.turn] * row.vector;
-    ws.equations[tables.chain_index_turn[r]] += ws.coordinates.slide[row.slide] * cross(arm, load);
-    ws.equations[tables.chain_index_slide[r]] += dot(arm, load);
-    if (row.predecessor >= 0) ws.contact_loads[row.predecessor] += load;
-  }
-}
-
-// Position, velocity and velocity-dependent acceleration of a closure's sum.
-struct LoopMotion {
-  Vec2 gap;
-  Vec2 rate;
-  Vec2 bias;
-};
-
-inline void add_term(LoopMotion& loop, const Coordinates& at, const ClosureTerm& term, Vec2 arm) noexcept {
-  const double scale = at.slide[term.slide];
-  const double rate = at.angle_rate[term.turn];
-  const double sliding = at.slide_rate[term.slide];
-  loop.gap += scale * arm;
-  loop.rate += sliding * arm + (scale * rate) * perp(arm);
-  loop.bias += (-scale * rate * rate) * arm + (2.0 * sliding * rate) * perp(arm);
-}
-
-void add_point_closure(const Tables& tables, const ClosureRows& rows, LoopMotion& loop, Workspace& ws) noexcept {
-  const Coordinates& at = ws.coordinates;
-  for (int t = rows.first_term; t < rows.end_term; ++t) {
-    const ClosureTerm& term = tables.closure_terms[t];
-    const Vec2 arm = at.rotation[term.turn] * term.vector;
-    add_term(loop, at, term, arm);
-    ws.values[term.slot_turn[0]] -= at.slide[term.slide] * arm.y;
-    ws.values[term.slot_turn[1]] += at.slide[term.slide] * arm.x;
-    ws.values[term.slot_slide[0]] += arm.x;
-    ws.values[term.slot_slide[1]] += arm.y;
-  }
-}
-
-// Only the component along the turning normal counts; seen from its body the sum moves with ḋ − θ̇ J d.
-void add_line_closure(const Tables& tables, const ClosureRows& rows, LoopMotion& loop, Workspace& ws) noexcept {
-  const Coordinates& at = ws.coordinates;
-  const Vec2 normal = at.rotation[rows.line_turn] * rows.normal;
-  for (int t = rows.first_term; t < rows.end_term; ++t) {
-    const ClosureTerm& term = tables.closure_terms[t];
-    const Vec2 arm = at.rotation[term.turn] * term.vector;
-    add_term(loop, at, term, arm);
-    ws.values[term.slot_turn[0]] += at.slide[term.slide] * cross(arm, normal);
-    ws.values[term.slot_slide[0]] += dot(arm, normal);
-  }
-  ws.values[rows.slot_normal] += cross(normal, loop.gap);
-  const double turning = at.angle_rate[rows.line_turn];
-  const double bias = dot(normal, loop.bias) + 2.0 * turning * cross(normal, loop.rate) -
-                      turning * turning * dot(normal, loop.gap);
-  loop = {{dot(normal, loop.gap), 0.0}, {dot(normal, loop.rate) + turning * cross(normal, loop.gap), 0.0}, {bias, 0.0}};
-}
-
-void add_closures(const Tables& tables, Feedback feedback, Workspace& ws) noexcept {
-  for (std::size_t c = 0; c < tables.closures.size(); ++c) {
-    const ClosureRows& rows = tables.closures[c];
-    LoopMotion loop;
-    if (rows.is_line) {
-      add_line_closure(tables, rows, loop, ws);
-    } else {
-      add_point_closure(tables, rows, loop, ws);
-    }
-    const Vec2 demand = -(loop.bias + 2.0 * feedback.alpha * loop.rate + feedback.beta * feedback.beta * loop.gap);
-    ws.equations[rows.row[0]] = demand.x;
-    if (!rows.is_line) ws.equations[rows.row[1]] = demand.y;
-    ws.closure_gap[c] = loop.gap;
-    ws.closure_rate[c] = loop.rate;
-  }
+  std::copy_n(ws.solution.begin(), n, ws.equations.begin());
+  std::copy_n(ws.factors.begin(), tables.elimination.n_values(), ws.values.begin());
 }
 
 // A driver delivers what its own equation lacks once everything else is known.
@@ -221,35 +87,13 @@ void find_efforts(const Tables& tables, Workspace& ws) noexcept {
 void eval_dynamics(const Tables& tables, double t, const double* q, const double* v,
                    std::span<const ContactLatch> latches, Feedback feedback, Workspace& workspace) noexcept {
   update_coordinates(tables, t, q, v, workspace.coordinates);
-  std::ranges::copy(tables.constant_values, workspace.values.begin());
-  std::ranges::fill(workspace.equations, 0.0);
-  add_turn_pairs(tables, workspace);
-  add_slide_pairs(tables, workspace);
-  add_constant_loads(tables, workspace);
-  add_contacts(tables, latches, workspace);
-  add_closures(tables, feedback, workspace);
+  assemble_equations(tables, latches, feedback, workspace);
   tables.elimination.factor(workspace.values.data(), workspace.inverse_pivots.data());
   tables.elimination.solve(workspace.values.data(), workspace.inverse_pivots.data(), workspace.equations.data());
-  find_efforts(tables, workspace);
-}
-
-void update_closures(const Tables& tables, Workspace& workspace) noexcept {
-  const Coordinates& at = workspace.coordinates;
-  for (std::size_t c = 0; c < tables.closures.size(); ++c) {
-    const ClosureRows& rows = tables.closures[c];
-    LoopMotion loop;
-    for (int t = rows.first_term; t < rows.end_term; ++t) {
-      const ClosureTerm& term = tables.closure_terms[t];
-      add_term(loop, at, term, at.rotation[term.turn] * term.vector);
-    }
-    if (rows.is_line) {
-      const Vec2 normal = at.rotation[rows.line_turn] * rows.normal;
-      loop.rate = {dot(normal, loop.rate) + at.angle_rate[rows.line_turn] * cross(normal, loop.gap), 0.0};
-      loop.gap = {dot(normal, loop.gap), 0.0};
-    }
-    workspace.closure_gap[c] = loop.gap;
-    workspace.closure_rate[c] = loop.rate;
+  if (find_singular_closeness(tables, workspace) > kRefinedCloseness) {
+    refine(tables, latches, feedback, workspace);
   }
+  find_efforts(tables, workspace);
 }
 
 void find_correction(const Tables& tables, std::span<const Vec2> residual, Workspace& workspace,
@@ -262,6 +106,14 @@ void find_correction(const Tables& tables, std::span<const Vec2> residual, Works
   }
   tables.elimination.solve(workspace.values.data(), workspace.inverse_pivots.data(), workspace.equations.data());
   std::copy_n(workspace.equations.begin(), tables.counts.n_free(), correction);
+}
+
+double find_singular_closeness(const Tables& tables, const Workspace& workspace) noexcept {
+  double closeness = 0.0;
+  for (std::size_t k = 0; k < tables.usual_inverse_pivots.size(); ++k) {
+    closeness = std::max(closeness, std::abs(workspace.inverse_pivots[k] / tables.usual_inverse_pivots[k]));
+  }
+  return closeness;
 }
 
 double find_driver_power(const Tables& tables, const Workspace& workspace) noexcept {

@@ -39,6 +39,10 @@ void update_closures(const Tables& tables, Workspace& workspace) noexcept;
 void find_correction(const Tables& tables, std::span<const Vec2> residual, Workspace& workspace,
                      double* correction) noexcept;
 
+/// How much smaller a pivot of the last evaluation is than at the start; grows with the inverse square of the distance
+/// from a singular position.
+double find_singular_closeness(const Tables& tables, const Workspace& workspace) noexcept;
+
 /// Power [W] that the drivers deliver, from the last evaluation.
 double find_driver_power(const Tables& tables, const Workspace& workspace) noexcept;
 

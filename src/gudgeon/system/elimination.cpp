@@ -127,4 +127,16 @@ void Elimination::solve(const double* values, const double* inverse_pivots, doub
   }
 }
 
+void Elimination::subtract_product(const double* values, const double* x, double* y) const noexcept {
+  for (int k = 0; k < n_; ++k) {
+    const int i = order_[k];
+    y[i] -= values[k] * x[i];
+    for (int a = begin_[k]; a < begin_[k + 1]; ++a) {
+      const int j = rows_[a - n_];
+      y[i] -= values[a] * x[j];
+      y[j] -= values[a] * x[i];
+    }
+  }
+}
+
 }  // namespace gudgeon

@@ -33,6 +33,8 @@ class Elimination {
   void factor(double* values, double* inverse_pivots) const noexcept;
   /// Replaces the right-hand side by the solution.
   void solve(const double* values, const double* inverse_pivots, double* x) const noexcept;
+  /// y −= A x for matrix values that are not factored.
+  void subtract_product(const double* values, const double* x, double* y) const noexcept;
 
  private:
   int n_ = 0;

@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "gudgeon/system/dynamics.h"
 #include "gudgeon/system/redundancy.h"
 
 namespace gudgeon {
@@ -61,6 +62,13 @@ System compile(const Mechanism& mechanism, const Assembly& assembly) {
   const Redundancy redundancy = find_redundancy(system.tables, 0.0, make_state(system, assembly).q);
   if (redundancy.n_redundant_rows > 0) {
     system.tables = compile_tables(mechanism, system.topology, &redundancy.active);
+  }
+  if (!redundancy.singular) {
+    Workspace workspace(system.tables);
+    const State state = make_state(system, assembly);
+    const std::vector<ContactLatch> open(system.tables.contacts.size());
+    eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), open, {}, workspace);
+    system.tables.usual_inverse_pivots = workspace.inverse_pivots;
   }
   return system;
 }

@@ -112,6 +112,7 @@ struct Tables {
   std::vector<Coupling> couplings;
   std::vector<DrivenMotion> driven;
   Elimination elimination;
+  std::vector<double> usual_inverse_pivots;  ///< of the elimination at the start; none until they are known
 
   PointChain contact_points;
   std::vector<int> chain_index_turn;   ///< equation of each chain row's turn

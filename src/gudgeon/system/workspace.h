@@ -16,6 +16,8 @@ struct Workspace {
       : coordinates(tables.counts),
         values(tables.n_slots, 0.0),
         inverse_pivots(tables.n_solve, 0.0),
+        factors(tables.n_slots, 0.0),
+        solution(tables.n_solve, 0.0),
         equations(tables.n_indices, 0.0),
         effort(tables.counts.n_driven(), 0.0),
         closure_gap(tables.closures.size()),
@@ -27,6 +29,8 @@ struct Workspace {
   Coordinates coordinates;
   std::vector<double> values;          ///< matrix entries by slot; after a solve the factors
   std::vector<double> inverse_pivots;
+  std::vector<double> factors;         ///< kept aside while a solution is refined
+  std::vector<double> solution;
   std::vector<double> equations;       ///< right-hand side; after a solve accelerations, then −λ of each active row
   std::vector<double> effort;          ///< torque or force of each driver [N m, N], positive along its coordinate
   std::vector<Vec2> closure_gap;       ///< φ [m] of each closure, (line, 0) for a line

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Looks up our value for each published one.
+#include "gudgeon/analysis/published.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gudgeon/analysis/wear_summary.h"
+#include "gudgeon/base/diagnostics.h"
+
+namespace gudgeon {
+
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+double find_peak(const StageRecord& stage, const std::string& channel) {
+  const ChannelStatistics* statistics = find_statistics(stage, channel);
+  return statistics == nullptr ? kNothing : statistics->peak();
+}
+
+double find_wear_depth(const RunRecord& run, const StageRecord& stage, const std::string& joint) {
+  const auto wear = std::ranges::find(stage.wear, joint, &JointWear::joint);
+  if (wear == stage.wear.end() || wear->total_depth_added.empty()) return kNothing;
+  const auto index = static_cast<std::size_t>(&stage - run.stages.data());
+  return find_deepest(find_accumulated_depth(run, index, joint)).depth;
+}
+
+std::string find_unit(const RunRecord& run, const PublishedRow& row) {
+  if (!row.unit.empty()) return row.unit;
+  if (row.measure == "wear_depth") return "m";
+  for (const StageRecord& stage : run.stages) {
+    const auto channel = std::ranges::find(stage.channels, row.channel, &Channel::name);
+    if (channel != stage.channels.end()) return channel->unit;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string name_worn_stage(std::size_t n_updates) {
+  return n_updates == 0 ? "no_wear" : fmt::format("wear_{}", n_updates);
+}
+
+PublishedComparison compare_published(const RunRecord& run, const PublishedRow& row) {
+  const bool depth = row.measure == "wear_depth";
+  if (!depth && row.measure != "peak") {
+    throw NumericalError(
+        fmt::format("published '{}': measure '{}' is not known; use peak or wear_depth", row.quantity, row.measure));
+  }
+  PublishedComparison comparison{row, {}, {}, {}};
+  comparison.published.unit = find_unit(run, row);
+  for (std::size_t k = 0; k < row.values.size(); ++k) {
+    const StageRecord* stage = find_stage(run, name_worn_stage(k));
+    double ours = kNothing;
+    if (stage != nullptr) ours = depth ? find_wear_depth(run, *stage, row.channel) : find_peak(*stage, row.channel);
+    const double theirs = row.values[k];
+    comparison.ours.push_back(ours);
+    comparison.ratio.push_back(theirs == 0.0 ? kNothing : std::abs(ours) / std::abs(theirs));
+    comparison.stages.push_back(name_worn_stage(k));
+  }
+  return comparison;
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Our values beside published ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gudgeon/results/run_record.h"
+
+namespace gudgeon {
+
+/// One published quantity with a value a stage.
+struct PublishedRow {
+  std::string quantity;        ///< in words
+  std::string channel;         ///< channel; for "wear_depth" the joint
+  std::string measure;         ///< "peak": value k of the stage after k wear updates ("no_wear", "wear_1" …)
+                               ///< "wear_depth": value k after k + 1 wear updates, the largest accumulated depth
+  std::vector<double> values;  ///< in SI; NaN where nothing was published
+  std::string unit;            ///< SI; empty takes the channel's, or m for a depth
+};
+
+/// A published row and ours, value by value.
+struct PublishedComparison {
+  PublishedRow published;           ///< with its unit filled in
+  std::vector<double> ours;         ///< NaN where our run has no such value
+  std::vector<double> ratio;        ///< |ours| / |published|, as peaks compare in magnitude; NaN where either lacks
+  std::vector<std::string> stages;  ///< the stage each value was taken from, "no_wear", "wear_1" …
+};
+
+/// NumericalError for an unknown measure.
+PublishedComparison compare_published(const RunRecord& run, const PublishedRow& row);
+
+/// "no_wear" for 0 wear updates, "wear_1" for one …
+std::string name_worn_stage(std::size_t n_updates);
+
+}  // namespace gudgeon

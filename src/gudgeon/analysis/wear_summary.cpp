@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Depth profiles added up, searched for their largest value and cut into worn ranges.
+#include "gudgeon/analysis/wear_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "gudgeon/base/diagnostics.h"
+#include "gudgeon/results/regions.h"
+
+namespace gudgeon {
+
+namespace {
+
+/// sum += added; an empty sum takes the size of the first profile.
+void add_profile(std::vector<double>& sum, std::span<const double> added, const std::string& joint) {
+  if (added.empty()) return;
+  if (sum.empty()) sum.assign(added.size(), 0.0);
+  if (sum.size() != added.size()) {
+    throw NumericalError(
+        fmt::format("joint '{}': wear profiles of {} and {} regions cannot be added up; run all "
+                    "stages with the same number of regions",
+                    joint, sum.size(), added.size()));
+  }
+  std::ranges::transform(sum, added, sum.begin(), std::plus<>());
+}
+
+DeepestPoint find_deepest_sum(std::span<const double> worn, std::span<const double> added, const std::string& joint) {
+  std::vector<double> sum(worn.begin(), worn.end());
+  add_profile(sum, added, joint);
+  return find_deepest(sum);
+}
+
+double find_mean(std::span<const double> depth) {
+  if (depth.empty()) return 0.0;
+  return std::accumulate(depth.begin(), depth.end(), 0.0) / static_cast<double>(depth.size());
+}
+
+}  // namespace
+
+DeepestPoint find_deepest(std::span<const double> depth) {
+  if (depth.empty()) return {};
+  const auto deepest = std::ranges::max_element(depth);
+  if (!(*deepest > 0.0)) return {};
+  return {*deepest, find_region_angle(static_cast<std::size_t>(deepest - depth.begin()), depth.size())};
+}
+
+std::vector<AngleRange> find_worn_ranges(std::span<const double> depth, double fraction) {
+  const std::size_t n = depth.size();
+  const double threshold = fraction * find_deepest(depth).depth;
+  const auto is_worn = [&](std::size_t k) { return depth[k % n] > threshold; };
+  const auto degrees = [n](std::size_t k) { return 360.0 * static_cast<double>(k) / static_cast<double>(n); };
+  std::size_t first_free = 0;
+  while (first_free < n && is_worn(first_free)) ++first_free;
+  if (n == 0 || std::ranges::none_of(depth, [&](double d) { return d > threshold; })) return {};
+  if (first_free == n) return {{0.0, 360.0}};
+
+  // once around from an unworn region, so that no range is cut at 0
+  std::vector<AngleRange> ranges;
+  for (std::size_t k = first_free; k < first_free + n; ++k) {
+    if (!is_worn(k)) continue;
+    const std::size_t begin = k;
+    while (is_worn(k)) ++k;
+    ranges.push_back({degrees(begin % n), degrees(begin % n + (k - begin))});
+  }
+  std::ranges::sort(ranges, {}, &AngleRange::begin);
+  return ranges;
+}
+
+std::vector<double> find_accumulated_depth(const RunRecord& run, std::size_t stage_index, const std::string& joint) {
+  std::vector<double> sum;
+  for (std::size_t k = 0; k <= stage_index && k < run.stages.size(); ++k) {
+    const auto wear = std::ranges::find(run.stages[k].wear, joint, &JointWear::joint);
+    if (wear != run.stages[k].wear.end()) add_profile(sum, wear->total_depth_added, joint);
+  }
+  return sum;
+}
+
+std::vector<JointWearSummary> summarize_wear(const RunRecord& run, std::size_t stage_index) {
+  std::vector<JointWearSummary> summaries;
+  for (const JointWear& wear : run.stages.at(stage_index).wear) {
+    const std::vector<double> accumulated = find_accumulated_depth(run, stage_index, wear.joint);
+    JointWearSummary& summary = summaries.emplace_back();
+    summary.joint = wear.joint;
+    summary.added = find_deepest(wear.total_depth_added);
+    summary.accumulated = find_deepest(accumulated);
+    summary.bearing = find_deepest_sum(wear.bearing_depth, wear.bearing_depth_added, wear.joint);
+    summary.journal = find_deepest_sum(wear.journal_depth, wear.journal_depth_added, wear.joint);
+    summary.mean_depth_added = find_mean(wear.total_depth_added);
+    summary.worn = find_worn_ranges(accumulated);
+    summary.removed_volume = wear.removed_volume;
+    summary.archard_volume = wear.archard_volume;
+  }
+  return summaries;
+}
+
+}  // namespace gudgeon

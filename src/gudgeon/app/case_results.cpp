@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Reads run files back and summarises them.
+#include "gudgeon/app/case_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "gudgeon/analysis/published.h"
+#include "gudgeon/app/text_output.h"
+#include "gudgeon/io/run_reader.h"
+#include "gudgeon/report/comparison_section.h"
+#include "gudgeon/report/run_summary.h"
+
+namespace gudgeon {
+namespace {
+
+/// The study counts published values by stage; a depth belongs to the surfaces that the stage ran on, so the first
+/// stage, on unworn ones, has none, and the rows are counted by wear updates.
+std::vector<PublishedRow> make_published(const Study& study) {
+  std::vector<PublishedRow> rows;
+  for (const PublishedValue& value : study.published) {
+    PublishedRow& row = rows.emplace_back();
+    row.quantity = value.quantity;
+    row.channel = value.channel;
+    row.measure = value.measure;
+    row.values = value.values;
+    if (row.measure == "wear_depth" && !row.values.empty()) row.values.erase(row.values.begin());
+  }
+  return rows;
+}
+
+/// All that the summary needs, without the thousands of samples it does not.
+RunRecord read_for_summary(const std::filesystem::path& file) {
+  RunRecord run = read_run_outline(file);
+  const std::vector<std::string> wanted = find_ideal_channels(run);
+  for (StageRecord& stage : run.stages) {
+    std::vector<std::string> channels;
+    for (const std::string& name : wanted) {
+      if (std::ranges::find(stage.channels, name, &Channel::name) != stage.channels.end()) channels.push_back(name);
+    }
+    read_channels(file, stage, channels);
+  }
+  return run;
+}
+
+}  // namespace
+
+void print_results(const std::vector<CaseRun>& cases, bool quiet) {
+  for (const CaseRun& one : cases) {
+    if (!one.is_written) continue;
+    if (!quiet) {
+      write_stdout(render_summary(read_for_summary(one.file), make_published(one.model.study), find_color_wanted()));
+      write_stdout("\n");
+    }
+  }
+  for (const CaseRun& one : cases) {
+    if (one.is_written) write_stdout(fmt::format("{}\n", one.file.string()));
+  }
+  flush_stdout();
+  for (const CaseRun& one : cases) {
+    if (one.message.empty()) continue;
+    write_stderr(fmt::format("gudgeon: case {}: {}\n", one.name, one.message));
+    if (one.is_written) write_stderr(fmt::format("  what was finished is kept in {}\n", one.file.string()));
+  }
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Cases on threads.
+#include "gudgeon/app/case_runner.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "gudgeon/app/interruption.h"
+#include "gudgeon/base/diagnostics.h"
+#include "gudgeon/io/explain.h"
+#include "gudgeon/io/run_writer.h"
+#include "gudgeon/sim/run_study.h"
+
+namespace gudgeon {
+namespace {
+
+constexpr std::chrono::milliseconds kRefreshInterval{100};  // often enough for an eye and for Ctrl-C
+
+RunRecord make_header(const CaseRun& one) {
+  RunRecord header;
+  header.model_file = one.model.source.file;
+  header.model_text = one.model.source.text;
+  header.case_name = one.name;
+  for (const Override& change : one.model.overrides) header.overrides.emplace_back(change.path, change.value);
+  header.explained = explain(one.model.mechanism, one.model.study);
+  header.program_version = GUDGEON_VERSION;
+  return header;
+}
+
+/// What a stage that did not finish means for its case.
+void update_outcome(CaseRun& one, const StageRecord& stage) {
+  if (stage.status == StageStatus::finished) return;
+  one.code = stage.status == StageStatus::failed ? ExitCode::numerical : ExitCode::interrupted;
+  one.message = fmt::format("stage {}: {}", stage.name, stage.message);
+}
+
+void run_stages(CaseRun& one, int index, bool overwrite, const std::stop_token& stop, ProgressDisplay& display) {
+  RunWriter writer(one.file, make_header(one), overwrite);
+  one.is_written = true;
+  RunHooks hooks;
+  hooks.stop = stop;
+  hooks.progress = [&](const Progress& progress) { display.update(index, progress); };
+  hooks.stage_finished = [&](const StageRecord& stage) {
+    writer.append(stage);
+    update_outcome(one, stage);
+  };
+  run_study(one.model.mechanism, one.model.study, hooks);
+}
+
+/// Every failure of a case ends here: an exception may not leave its thread.
+void run_case(CaseRun& one, int index, bool overwrite, const std::stop_token& stop, ProgressDisplay& display) {
+  display.begin(index);
+  try {
+    run_stages(one, index, overwrite, stop, display);
+  } catch (const ModelError& error) {
+    one.code = ExitCode::model;
+    one.message = render(error.diagnostics(), one.model.source);
+  } catch (const FileError& error) {
+    one.code = ExitCode::file;
+    one.message = error.what();
+  } catch (const std::exception& error) {
+    one.code = ExitCode::numerical;
+    one.message = error.what();
+  }
+  const bool is_stopped = one.code == ExitCode::interrupted;
+  display.finish(index, one.code == ExitCode::done ? "done" : (is_stopped ? "stopped" : "failed"));
+}
+
+}  // namespace
+
+int run_cases(std::vector<CaseRun>& cases, int n_threads, bool overwrite, ProgressDisplay& display) {
+  const Interruption interruption;
+  std::stop_source stop;
+  std::atomic<int> next = 0;
+  std::atomic<int> n_done = 0;
+  const int n_cases = static_cast<int>(cases.size());
+  const auto work = [&] {
+    for (int i = next++; i < n_cases; i = next++) {
+      if (stop.stop_requested()) {
+        cases[i].code = ExitCode::interrupted;
+        cases[i].message = "not started";
+      } else {
+        run_case(cases[i], i, overwrite, stop.get_token(), display);
+      }
+      n_done.fetch_add(1);
+      n_done.notify_one();
+    }
+  };
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < std::min(n_threads, n_cases); ++i) threads.emplace_back(work);
+  while (n_done.load() < n_cases) {
+    if (interruption.signal() != 0 && stop.request_stop()) {
+      display.write_note("stopping at the next step; once more ends at once");
+    }
+    display.refresh();
+    std::this_thread::sleep_for(kRefreshInterval);
+  }
+  threads.clear();
+  display.refresh();
+  return interruption.signal();
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tables of a sound model.
+#include "gudgeon/app/check_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "gudgeon/report/table.h"
+
+namespace gudgeon {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kMillimeter = 1e-3;
+
+/// A value to `digits` decimals without a minus before zero.
+std::string render_fixed(double value, int digits) {
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  if (text.find_first_of("123456789") == std::string::npos && text.starts_with('-')) text.erase(0, 1);
+  return text;
+}
+
+std::string find_side(double fold) {
+  constexpr double kStraight = 1e-6;  // on such a fold the two branches meet
+  if (std::abs(fold) < kStraight) return "neither side";
+  return fold < 0.0 ? "right" : "left";
+}
+
+bool find_has_clearance(const Mechanism& mechanism) {
+  return std::ranges::any_of(mechanism.joints,
+                             [](const Joint& joint) { return std::holds_alternative<RevoluteClearance>(joint.kind); });
+}
+
+}  // namespace
+
+std::string render_counts(const Mechanism& mechanism, const Mobility& mobility, bool color) {
+  const auto n_drivers = mechanism.drivers.size();
+  Table table({{"mobility, in the textbook count"}, {"", Alignment::right}, {""}});
+  const auto add = [&](std::string_view name, int count, std::string_view remark) {
+    table.add_row({std::string(name), fmt::format("{}", count), std::string(remark)});
+  };
+  add("moving bodies", mobility.n_bodies, "");
+  add("coordinates", mobility.n_coordinates, "3 a moving body");
+  add("constraint rows", mobility.n_constraint_rows,
+      n_drivers == 0 ? "" : fmt::format("{} of them by driver{}", n_drivers, n_drivers == 1 ? "" : "s"));
+  add("redundant rows", mobility.n_redundant_rows, "");
+  add("degrees of freedom", mobility.n_degrees_of_freedom,
+      find_has_clearance(mechanism) ? "a clearance joint takes none away" : "");
+  add("unknowns integrated", mobility.n_unknowns, "angles and displacements that gudgeon keeps");
+  add("closure rows", mobility.n_closure_rows, "loops that gudgeon closes with them");
+  std::string text = table.render(color);
+  for (const std::string& constraint : mobility.redundant_constraints)
+    text += fmt::format("  redundant: {}\n", constraint);
+  if (mobility.singular_start) text += "  the start position is singular: it has a lower rank than its neighbours\n";
+  return text;
+}
+
+std::string render_start(const Mechanism& mechanism, const Assembly& assembly, bool color) {
+  Table table({{"body"},
+               {"x (mm)", Alignment::right},
+               {"y (mm)", Alignment::right},
+               {"angle (deg)", Alignment::right},
+               {"from its guess (deg)", Alignment::right}});
+  for (std::size_t i = 1; i < mechanism.bodies.size(); ++i) {
+    const BodyPose& pose = assembly.poses[i];
+    table.add_row({mechanism.bodies[i].name, render_fixed(pose.position.x / kMillimeter, 4),
+                   render_fixed(pose.position.y / kMillimeter, 4), render_fixed(pose.angle / kDegree, 4),
+                   render_fixed(assembly.angle_changes[i] / kDegree, 4)});
+  }
+  return render_title(find_has_clearance(mechanism) ? "Start position, clearance joints closed" : "Start position",
+                      color) +
+         table.render(color) +
+         fmt::format("  largest gap left in a joint: {:.2g} mm\n", assembly.closure_residual / kMillimeter);
+}
+
+std::string render_loops(const Assembly& assembly, bool color) {
+  if (assembly.branches.empty()) return {};
+  Table table({{"closed at"}, {"from"}, {"to"}, {"folds to the"}, {"sine", Alignment::right}});
+  for (const LoopBranch& branch : assembly.branches) {
+    table.add_row({branch.joint, branch.first_body, branch.second_body, find_side(branch.fold),
+                   fmt::format("{:+.3f}", branch.fold)});
+  }
+  return render_title("Loops and the branch each is on", color) + table.render(color);
+}
+
+std::string render_drivers(const Mechanism& mechanism, const Study& study, bool color) {
+  Table table({{"driver"}, {"drives"}, {"at t = 0", Alignment::right}, {"speed", Alignment::right}});
+  for (const Driver& driver : mechanism.drivers) {
+    if (const auto* angle = std::get_if<DrivenAngle>(&driver.target)) {
+      table.add_row({driver.name, "angle of " + angle->body, fmt::format("{:.6g} deg", driver.start / kDegree),
+                     fmt::format("{:.6g} deg/s", driver.speed / kDegree)});
+    } else {
+      table.add_row({driver.name, "slide of " + std::get<DrivenSlide>(driver.target).joint,
+                     fmt::format("{:.6g} mm", driver.start / kMillimeter),
+                     fmt::format("{:.6g} mm/s", driver.speed / kMillimeter)});
+    }
+  }
+  std::string text = table.empty() ? std::string{} : render_title("Drivers", color) + table.render(color);
+  if (study.cycle_time > 0.0) text += fmt::format("\nOne cycle takes {:.6g} s.\n", study.cycle_time);
+  return text;
+}
+
+}  // namespace gudgeon

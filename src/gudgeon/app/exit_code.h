@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the program tells its caller when it ends.
+#pragma once
+
+#include <functional>
+
+namespace gudgeon {
+
+enum class ExitCode {
+  done = 0,
+  usage = 2,          ///< the command line cannot be understood
+  model = 3,          ///< the model or study is wrong
+  numerical = 4,      ///< a computation could not go on; what was finished is kept
+  file = 5,           ///< a file could not be read or written
+  interrupted = 130,  ///< SIGINT, as shells count it: 128 + 2
+  terminated = 143,   ///< SIGTERM: 128 + 15
+};
+
+/// What a parsed command line asks for.
+using Action = std::function<ExitCode()>;
+
+}  // namespace gudgeon

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The program: parse, do what is asked, tell how it ended.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <optional>
+
+#include "gudgeon/app/command_line.h"
+#include "gudgeon/app/exit_code.h"
+#include "gudgeon/app/model_options.h"
+#include "gudgeon/app/text_output.h"
+#include "gudgeon/base/diagnostics.h"
+
+namespace {
+
+using gudgeon::ExitCode;
+
+ExitCode run_program(int argc, const char* const* argv) {
+  CLI::App program;
+  gudgeon::Action action;
+  gudgeon::add_commands(program, action);
+  const std::optional<ExitCode> early = gudgeon::read_command_line(program, argc, argv);
+  const ExitCode code = early ? *early : action();
+  gudgeon::flush_stdout();
+  return code;
+}
+
+ExitCode report(ExitCode code, const char* message) {
+  gudgeon::write_stderr(fmt::format("gudgeon: {}\n", message));
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ExitCode code = ExitCode::done;
+  try {
+    code = run_program(argc, argv);
+  } catch (const gudgeon::RejectedModel& error) {
+    gudgeon::write_stderr(error.what());
+    code = ExitCode::model;
+  } catch (const gudgeon::UsageError& error) {
+    code = report(ExitCode::usage, error.what());
+  } catch (const gudgeon::NumericalError& error) {
+    code = report(ExitCode::numerical, error.what());
+  } catch (const gudgeon::FileError& error) {
+    code = report(ExitCode::file, error.what());
+  } catch (const std::bad_alloc&) {
+    code = report(ExitCode::numerical, "out of memory");
+  } catch (const std::exception& error) {
+    code = report(ExitCode::numerical, fmt::format("internal error: {}", error.what()).c_str());
+  }
+  return static_cast<int>(code);
+}

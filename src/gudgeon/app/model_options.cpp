@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which model is meant, and reading it.
+#include "gudgeon/app/model_options.h"
+
+#include <fmt/format.h>
+
+#include "gudgeon/app/command_line.h"
+
+namespace gudgeon {
+namespace {
+
+Override make_override(const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == setting.size()) {
+    throw UsageError(fmt::format(
+        "--set takes a path and a value, such as --set joints.A.radial_clearance=\"0.3 mm\"; it was given '{}'",
+        setting));
+  }
+  return {setting.substr(0, equals), setting.substr(equals + 1)};
+}
+
+}  // namespace
+
+void add_model_options(CLI::App& command, ModelOptions& options) {
+  command.add_option("FILE", options.file, "Model file (TOML)")->required();
+  command.add_option("--set", options.settings, "Change a value of the model: PATH=VALUE (may be repeated)")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_case_option(CLI::App& command, std::string& case_name) {
+  command.add_option("--case", case_name, "One of the model's cases; without it, the model as it stands")
+      ->type_name("NAME");
+}
+
+ModelFile read_case(const ModelOptions& options, std::string_view case_name) {
+  std::vector<Override> overrides;
+  for (const std::string& setting : options.settings) overrides.push_back(make_override(setting));
+  return read_model(options.file, case_name == kBaseCase ? std::string_view{} : case_name, overrides);
+}
+
+void require_sound(const ModelFile& model) {
+  if (model.diagnostics.has_errors()) throw RejectedModel(render(model.diagnostics, model.source));
+}
+
+void reject(const ModelError& error, const ModelFile& model) {
+  throw RejectedModel(render(error.diagnostics(), model.source));
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// gudgeon run.
+#include "gudgeon/app/run_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <csignal>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "gudgeon/app/case_results.h"
+#include "gudgeon/app/case_runner.h"
+#include "gudgeon/app/command_line.h"
+#include "gudgeon/app/model_options.h"
+#include "gudgeon/app/text_output.h"
+#include "gudgeon/base/diagnostics.h"
+#include "gudgeon/io/safe_file.h"
+#include "gudgeon/system/assembly.h"
+
+namespace gudgeon {
+namespace {
+
+struct RunOptions {
+  ModelOptions model;
+  std::filesystem::path directory;
+  std::vector<std::string> case_names;
+  bool all_cases = false;
+  int n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  bool overwrite = false;
+  bool quiet = false;
+};
+
+/// A case's name as a file's: whatever could mean something to a shell or a file system becomes '_'.
+std::filesystem::path make_file_name(std::string name) {
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-' && c != '+') c = '_';
+  }
+  return name + ".h5";
+}
+
+std::vector<std::string> find_case_names(const RunOptions& options) {
+  std::vector<std::string> names = options.case_names;
+  if (options.all_cases) {
+    names.emplace_back(kBaseCase);
+    for (const Case& one : read_case(options.model, {}).cases) {
+      if (one.name == kBaseCase)
+        throw UsageError("a case is named 'base', as the model without any case is; rename it");
+      names.push_back(one.name);
+    }
+  }
+  if (names.empty()) names.emplace_back(kBaseCase);
+  // A case asked for twice is run once.
+  std::vector<std::string> unique;
+  for (const std::string& name : names) {
+    if (std::ranges::find(unique, name) == unique.end()) unique.push_back(name);
+  }
+  return unique;
+}
+
+std::vector<CaseRun> read_cases(const RunOptions& options) {
+  std::vector<CaseRun> cases;
+  for (const std::string& name : find_case_names(options)) {
+    CaseRun& one = cases.emplace_back();
+    one.name = name;
+    one.model = read_case(options.model, name);
+  }
+  return cases;
+}
+
+/// Gives each case its file: runs/<name of the model>/<name of the case>.h5 unless a directory is asked for.
+void place_outputs(std::vector<CaseRun>& cases, const RunOptions& options) {
+  std::map<std::filesystem::path, std::string> names;
+  for (CaseRun& one : cases) {
+    const std::filesystem::path directory =
+        options.directory.empty() ? std::filesystem::path("runs") / one.model.mechanism.name : options.directory;
+    one.file = directory / make_file_name(one.name);
+    const auto [known, is_new] = names.emplace(one.file, one.name);
+    if (is_new) continue;
+    throw UsageError(fmt::format("cases '{}' and '{}' would both be written to {}; run them into different directories",
+                                 known->second, one.name, one.file.string()));
+  }
+}
+
+/// Throws RejectedModel with what is wrong in any case, each complaint once.
+void require_all_sound(const std::vector<CaseRun>& cases) {
+  std::vector<std::string> texts;
+  for (const CaseRun& one : cases) {
+    std::string text;
+    if (one.model.diagnostics.has_errors()) {
+      text = render(one.model.diagnostics, one.model.source);
+    } else {
+      try {
+        assemble(one.model.mechanism);
+      } catch (const ModelError& error) {
+        text = render(error.diagnostics(), one.model.source);
+      }
+    }
+    if (!text.empty() && std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
+  }
+  if (!texts.empty()) throw RejectedModel(fmt::format("{}", fmt::join(texts, "\n")));
+}
+
+/// Throws FileError when any output cannot be written, before anything is computed.
+void prepare_outputs(const std::vector<CaseRun>& cases, bool overwrite) {
+  std::error_code failure;
+  for (const CaseRun& one : cases) {
+    const std::filesystem::path directory = one.file.parent_path();
+    std::filesystem::create_directories(directory, failure);
+    if (failure)
+      throw FileError(fmt::format("directory '{}' cannot be made: {}", directory.string(), failure.message()));
+  }
+  std::vector<std::string> troubles;
+  for (const CaseRun& one : cases) {
+    try {
+      check_target(one.file, overwrite);
+    } catch (const FileError& error) {
+      troubles.emplace_back(error.what());
+    }
+  }
+  if (!troubles.empty()) {
+    throw FileError(
+        fmt::format("{}{}", fmt::join(troubles, "\n  "), overwrite ? "" : "\n  --overwrite replaces run files"));
+  }
+  // A file that comes and goes proves that the run files can be written.
+  const std::filesystem::path probe = find_partial(cases.front().file);
+  write_whole(probe, std::string_view{});
+  std::filesystem::remove(probe, failure);
+}
+
+void print_warnings(const CaseRun& one) {
+  Diagnostics warnings;
+  for (const Diagnostic& item : one.model.diagnostics.items()) {
+    if (item.severity != Severity::remark) warnings.add(item);
+  }
+  write_stderr(render(warnings, one.model.source));
+}
+
+/// The signal first; then what the user can mend soonest: file, model, numbers.
+ExitCode find_exit_code(const std::vector<CaseRun>& cases, int signal) {
+  const auto any = [&](ExitCode code) { return std::ranges::find(cases, code, &CaseRun::code) != cases.end(); };
+  if (any(ExitCode::interrupted)) return signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+  for (const ExitCode code : {ExitCode::file, ExitCode::model, ExitCode::numerical}) {
+    if (any(code)) return code;
+  }
+  return ExitCode::done;
+}
+
+ExitCode run_run(const RunOptions& options) {
+  std::vector<CaseRun> cases = read_cases(options);
+  require_all_sound(cases);
+  place_outputs(cases, options);
+  prepare_outputs(cases, options.overwrite);
+  if (!options.quiet) print_warnings(cases.front());
+  // A closed pipe must not end a long computation; what it loses is only text.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::vector<std::string> names;
+  for (const CaseRun& one : cases) names.push_back(one.name);
+  ProgressDisplay display(options.quiet ? ProgressStyle::silent : find_progress_style(), names);
+  const int signal = run_cases(cases, options.n_threads, options.overwrite, display);
+  print_results(cases, options.quiet);
+  return find_exit_code(cases, signal);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& program, Action& action) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App* command = program.add_subcommand("run", "Simulate, wear, and summarise; one HDF5 file a case");
+  add_model_options(*command, options->model);
+  command->add_option("-o,--output", options->directory, "Directory to write to [runs/<name of the model>]")
+      ->type_name("DIR");
+  CLI::Option* one = command->add_option("--case", options->case_names, "Run this case of the model (may be repeated)");
+  one->type_name("NAME")->allow_extra_args(false);
+  command->add_flag("--all-cases", options->all_cases, "Run the model as it stands and every case of it")
+      ->excludes(one);
+  command->add_option("--threads", options->n_threads, "Cases that run side by side; results do not depend on it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_flag("--overwrite", options->overwrite, "Replace existing run files");
+  command->add_flag("--quiet", options->quiet, "Print only the paths written and what went wrong");
+  command->footer(
+      "\nExamples:\n  gudgeon run press.toml -o runs/first\n  gudgeon run press.toml --all-cases --threads 4\n"
+      "  gudgeon run press.toml --set study.cycles=10 --overwrite\n\n"
+      "Ctrl-C stops at the next step and keeps what was finished; a second Ctrl-C ends at once.\n");
+  command->callback([options, &action] { action = [options] { return run_run(*options); }; });
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Text to the terminal, where a failure to write is an error like any other.
+#pragma once
+
+#include <string_view>
+
+namespace gudgeon {
+
+/// FileError when standard output takes no more.
+void write_stdout(std::string_view text);
+void flush_stdout();
+
+/// Whether standard output is a terminal that wants colour (NO_COLOR is not set).
+bool find_color_wanted();
+
+/// Messages; nobody is left to be told when they cannot be written.
+void write_stderr(std::string_view text);
+
+}  // namespace gudgeon

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Mechanism and study as a model file; contacts and materials come out of the joints that hold them.
+#include "gudgeon/io/explain.h"
+
+#include <optional>
+
+#include "gudgeon/io/explain_text.h"
+#include "gudgeon/io/read_sections.h"
+#include "gudgeon/laws/law.h"
+
+namespace gudgeon {
+
+namespace {
+
+std::string point_text(const Anchor& anchor) { return toml_text(anchor.body + "." + anchor.point); }
+
+/// The fields that are set, as an inline table; nothing when none is.
+class StartTable {
+ public:
+  void add(std::string_view key, std::optional<double> value, Dimension dimension) {
+    if (value) add_text(key, toml_quantity(*value, dimension));
+  }
+  void add(std::string_view key, std::optional<Vec2> value, Dimension dimension) {
+    if (value) add_text(key, toml_vector(*value, dimension));
+  }
+  void write(TomlLines& out) const {
+    if (!fields_.empty()) out.line("start", fmt::format("{{ {} }}", fields_));
+  }
+
+ private:
+  void add_text(std::string_view key, std::string_view value) {
+    fields_ += fmt::format("{}{} = {}", fields_.empty() ? "" : ", ", key, value);
+  }
+  std::string fields_;
+};
+
+void write_body(const Body& body, TomlLines& out) {
+  out.header("bodies", body.name);
+  if (body.name != kFrameName) {
+    out.line("mass", toml_quantity(body.mass, dimension::kMass));
+    out.line("inertia", toml_quantity(body.inertia, dimension::kInertia));
+    out.line("center_of_mass", toml_vector(body.center_of_mass, dimension::kLength));
+    StartTable start;
+    start.add("angle", body.start.angle, dimension::kAngle);
+    start.add("angle_rate", body.start.angle_rate, dimension::kAngularSpeed);
+    start.add("position", body.start.position, dimension::kLength);
+    start.add("velocity", body.start.velocity, dimension::kSpeed);
+    start.write(out);
+  }
+  for (const Point& point : body.points) {
+    out.line("points." + point.name, toml_vector(point.position, dimension::kLength));
+  }
+}
+
+/// Materials and contacts by their text, since two that share a name may differ when a program made them.
+class SharedTables {
+ public:
+  std::string contact_name(const ContactProperties& contact) {
+    TomlLines lines;
+    lines.line("bearing_material", toml_text(material_name(contact.bearing_material)));
+    lines.line("journal_material", toml_text(material_name(contact.journal_material)));
+    lines.line("normal_force", law_text(contact.normal_force));
+    lines.line("friction", law_text(contact.friction));
+    lines.line("bearing_wear", law_text(contact.bearing_wear));
+    lines.line("journal_wear", law_text(contact.journal_wear));
+    lines.line("onset_speed_floor", toml_quantity(contact.onset_speed_floor, dimension::kSpeed));
+    lines.line("normal_direction",
+               toml_text(choice_name<NormalDirection>(kNormalDirections, contact.normal_direction)));
+    return find_name(contacts_, contact.name, lines.text());
+  }
+
+  void write(TomlLines& out) const {
+    for (const auto& [name, text] : contacts_) write_table("contacts", name, text, out);
+    for (const auto& [name, text] : materials_) write_table("materials", name, text, out);
+  }
+
+ private:
+  using Tables = std::vector<std::pair<std::string, std::string>>;
+
+  static void write_table(std::string_view section, const std::string& name, const std::string& text, TomlLines& out) {
+    out.header(section, name);
+    out.raw(text);
+  }
+
+  std::string material_name(const Material& material) {
+    TomlLines lines;
+    lines.line("young_modulus", toml_quantity(material.young_modulus, dimension::kPressure));
+    lines.line("poisson_ratio", toml_quantity(material.poisson_ratio, dimension::kNone));
+    return find_name(materials_, material.name, lines.text());
+  }
+
+  template <class AnyLaw>
+  static std::string law_text(const AnyLaw& any) {
+    return std::visit(
+        []<class Law>(const Law& law) {
+          std::string text = fmt::format("{{ law = \"{}\"", Law::kName);
+          for (const Parameter<Law>& parameter : Law::kParameters) {
+            text += fmt::format(", {} = {}", parameter.key, toml_quantity(law.*parameter.member, parameter.dimension));
+          }
+          return text + " }";
+        },
+        any);
+  }
+
+  /// The name under which that text is written: the wished one unless another text has it.
+  static std::string find_name(Tables& tables, const std::string& wished, const std::string& text) {
+    std::string name = wished;
+    for (int i = 2;; ++i) {
+      bool taken = false;
+      for (const auto& [known_name, known_text] : tables) {
+        if (known_name != name) continue;
+        if (known_text == text) return name;
+        taken = true;
+      }
+      if (!taken) break;
+      name = fmt::format("{}_{}", wished, i);
+    }
+    tables.emplace_back(name, text);
+    return name;
+  }
+
+  Tables contacts_;
+  Tables materials_;
+};
+
+void write_between(const Anchor& first, const Anchor& second, TomlLines& out) {
+  out.line("between", fmt::format("[{}, {}]", point_text(first), point_text(second)));
+}
+
+void write_kind(const Revolute& joint, SharedTables& /*shared*/, TomlLines& out) {
+  out.line("type", "\"revolute\"");
+  write_between(joint.first, joint.second, out);
+}
+
+void write_kind(const Prismatic& joint, SharedTables& /*shared*/, TomlLines& out) {
+  out.line("type", "\"prismatic\"");
+  write_between(joint.first, joint.second, out);
+  out.line("direction", toml_quantity(joint.direction, dimension::kAngle));
+  out.line("relative_angle", toml_quantity(joint.relative_angle, dimension::kAngle));
+  StartTable start;
+  start.add("displacement", joint.start_displacement, dimension::kLength);
+  start.add("speed", joint.start_speed, dimension::kSpeed);
+  start.write(out);
+}
+
+void write_kind(const Rigid& joint, SharedTables& /*shared*/, TomlLines& out) {
+  out.line("type", "\"rigid\"");
+  write_between(joint.first, joint.second, out);
+  out.line("relative_angle", toml_quantity(joint.relative_angle, dimension::kAngle));
+}
+
+void write_kind(const RevoluteClearance& joint, SharedTables& shared, TomlLines& out) {
+  out.line("type", "\"revolute_clearance\"");
+  out.line("bearing", point_text(joint.bearing));
+  out.line("journal", point_text(joint.journal));
+  out.line("bearing_radius", toml_quantity(joint.bearing_radius, dimension::kLength));
+  out.line("radial_clearance", toml_quantity(joint.radial_clearance, dimension::kLength));
+  out.line("width", toml_quantity(joint.width, dimension::kLength));
+  out.line("contact", toml_text(shared.contact_name(joint.contact)));
+}
+
+void write_driver(const Driver& driver, TomlLines& out) {
+  out.header("drivers", driver.name);
+  if (const auto* angle = std::get_if<DrivenAngle>(&driver.target)) {
+    out.line("body", toml_text(angle->body));
+    out.line("start", toml_quantity(driver.start, dimension::kAngle));
+    out.line("speed", toml_quantity(driver.speed, dimension::kAngularSpeed));
+  } else if (const auto* slide = std::get_if<DrivenSlide>(&driver.target)) {
+    out.line("slide", toml_text(slide->joint));
+    out.line("start", toml_quantity(driver.start, dimension::kLength));
+    out.line("speed", toml_quantity(driver.speed, dimension::kSpeed));
+  }
+}
+
+void write_load(const Load& load, TomlLines& out) {
+  out.header("loads", load.name);
+  if (const auto* force = std::get_if<ConstantForce>(&load.kind)) {
+    out.line("point", point_text(force->point));
+    out.line("force", toml_vector(force->force, dimension::kForce));
+  } else if (const auto* torque = std::get_if<ConstantTorque>(&load.kind)) {
+    out.line("body", toml_text(torque->body));
+    out.line("torque", toml_quantity(torque->torque, dimension::kTorque));
+  }
+}
+
+void write_published(const PublishedValue& published, TomlLines& out) {
+  out.raw("\n[[study.published]]\n");
+  out.line("quantity", toml_text(published.quantity));
+  out.line("channel", toml_text(published.channel));
+  out.line("measure", toml_text(published.measure));
+  std::string values;
+  for (const double value : published.values) values += (values.empty() ? "" : ", ") + toml_number(value);
+  out.line("values", fmt::format("[{}]", values));
+}
+
+void write_study(const Study& study, TomlLines& out) {
+  out.raw("\n[study]\n");
+  if (!study.cycle_driver.empty()) {
+    out.line("cycle_driver", fmt::format("{}  # a turn takes {} s", toml_text(study.cycle_driver), study.cycle_time));
+  } else {
+    out.line("cycle_time", toml_quantity(study.cycle_time, dimension::kTime));
+  }
+  out.line("cycles", fmt::format("{}", study.cycles));
+  out.line("warm_up_cycles", fmt::format("{}", study.warm_up_cycles));
+  out.line("wear_stages", fmt::format("{}", study.wear_stages));
+  out.line("magnification", toml_number(study.magnification));
+  out.line("regions", fmt::format("{}", study.regions));
+  out.line("deposition", toml_text(choice_name<Deposition>(kDepositions, study.deposition)));
+  out.line("compare_ideal", study.compare_ideal ? "true" : "false");
+  out.line("outputs_per_cycle", fmt::format("{}", study.outputs_per_cycle));
+  out.line("relative_tolerance", toml_number(study.relative_tolerance));
+  out.line("absolute_tolerance", toml_number(study.absolute_tolerance));
+  out.line("max_step", toml_quantity(study.max_step, dimension::kTime));
+  out.line("stabilization", toml_text(choice_name<Stabilization>(kStabilizations, study.stabilization)));
+  out.line("baumgarte_alpha", toml_quantity(study.baumgarte_alpha, dimension::kPerTime));
+  out.line("baumgarte_beta", toml_quantity(study.baumgarte_beta, dimension::kPerTime));
+  for (const PublishedValue& published : study.published) write_published(published, out);
+}
+
+}  // namespace
+
+std::string explain(const Mechanism& mechanism, const Study& study) {
+  TomlLines out;
+  out.line("name", toml_text(mechanism.name));
+  out.line("description", toml_text(mechanism.description));
+  out.line("gravity", toml_vector(mechanism.gravity, dimension::kAcceleration));
+  for (const Body& body : mechanism.bodies) write_body(body, out);
+  SharedTables shared;
+  for (const Joint& joint : mechanism.joints) {
+    out.header("joints", joint.name);
+    std::visit([&](const auto& kind) { write_kind(kind, shared, out); }, joint.kind);
+  }
+  shared.write(out);
+  for (const Driver& driver : mechanism.drivers) write_driver(driver, out);
+  for (const Load& load : mechanism.loads) write_load(load, out);
+  write_study(study, out);
+  return out.text();
+}
+
+}  // namespace gudgeon

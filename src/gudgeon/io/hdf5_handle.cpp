@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Closing by kind, the library's lock, and HDF5's error stack as one phrase.
+#include "gudgeon/io/hdf5_handle.h"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <type_traits>
+
+#include "gudgeon/base/diagnostics.h"
+
+namespace gudgeon {
+
+static_assert(std::is_same_v<hid_t, Hdf5Id>, "HDF5 1.10 or later has 64-bit identifiers");
+
+namespace {
+
+std::mutex& hdf5_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+/// Keeps the description that lies deepest in the stack: the cause, not who passed it on.
+herr_t keep_deepest(unsigned, const H5E_error2_t* error, void* reason) {
+  if (error->desc != nullptr) *static_cast<std::string*>(reason) = error->desc;
+  return 0;
+}
+
+std::string find_reason() {
+  std::string reason;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_deepest, &reason);
+  return reason.empty() ? "no reason given" : reason;
+}
+
+}  // namespace
+
+Hdf5Handle::~Hdf5Handle() {
+  if (id_ < 0) return;
+  switch (H5Iget_type(id_)) {
+    case H5I_FILE:
+      H5Fclose(id_);
+      break;
+    case H5I_GROUP:
+      H5Gclose(id_);
+      break;
+    case H5I_DATASET:
+      H5Dclose(id_);
+      break;
+    case H5I_DATASPACE:
+      H5Sclose(id_);
+      break;
+    case H5I_DATATYPE:
+      H5Tclose(id_);
+      break;
+    case H5I_ATTR:
+      H5Aclose(id_);
+      break;
+    case H5I_GENPROP_LST:
+      H5Pclose(id_);
+      break;
+    default:
+      H5Oclose(id_);
+      break;
+  }
+}
+
+Hdf5Session::Hdf5Session() : lock_(hdf5_mutex()) {
+  H5Eget_auto2(H5E_DEFAULT, &print_errors_, &print_data_);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+Hdf5Session::~Hdf5Session() { H5Eset_auto2(H5E_DEFAULT, print_errors_, print_data_); }
+
+Hdf5Handle check_id(Hdf5Id id, std::string_view what, std::string_view name) {
+  if (id < 0) throw FileError(fmt::format("{} '{}' (HDF5: {})", what, name, find_reason()));
+  return Hdf5Handle(id);
+}
+
+void check_status(int status, std::string_view what, std::string_view name) {
+  if (status < 0) throw FileError(fmt::format("{} '{}' (HDF5: {})", what, name, find_reason()));
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From the TOML library's tree to ours: entries in the order of the file, columns in code points, texts as written.
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <utility>
+
+#include "gudgeon/io/document.h"
+
+namespace gudgeon {
+
+namespace {
+
+/// Finds pieces of the text by line and column.
+class TextIndex {
+ public:
+  explicit TextIndex(std::string_view text) : text_(text) {
+    lines_.push_back(0);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '\n') lines_.push_back(i + 1);
+    }
+  }
+
+  [[nodiscard]] std::size_t offset(toml::source_position position) const {
+    if (position.line == 0 || position.line > lines_.size()) return text_.size();
+    std::size_t at = lines_[position.line - 1];
+    for (toml::source_index column = 1; column < position.column && at < text_.size(); ++column) {
+      ++at;
+      while (at < text_.size() && (static_cast<unsigned char>(text_[at]) & 0xC0U) == 0x80U) ++at;
+    }
+    return at;
+  }
+
+  [[nodiscard]] std::string slice(const toml::source_region& region) const {
+    const std::size_t begin = offset(region.begin);
+    const std::size_t end = std::max(begin, offset(region.end));
+    std::string piece{text_.substr(begin, end - begin)};
+    piece.erase(piece.find_last_not_of(" \t\r\n") + 1);
+    return piece;
+  }
+
+ private:
+  std::string_view text_;
+  std::vector<std::size_t> lines_;
+};
+
+SourceSpan make_span(const toml::source_region& region) {
+  const int line = static_cast<int>(region.begin.line);
+  const int column = static_cast<int>(region.begin.column);
+  const bool one_line = region.end.line == region.begin.line && region.end.column > region.begin.column;
+  // A value over several lines is marked to the end of its first line; rendering cuts it there.
+  return {line, column, one_line ? static_cast<int>(region.end.column) - column : 1 << 16};
+}
+
+DocumentNode make_node(const toml::node& from, const TextIndex& text);
+
+DocumentNode::Table make_table(const toml::table& from, const TextIndex& text) {
+  std::vector<std::pair<toml::source_position, DocumentEntry>> placed;
+  for (const auto& [key, value] : from) {
+    DocumentEntry entry{std::string{key.str()}, make_span(key.source()), make_node(value, text)};
+    const bool under_header = value.is_array_of_tables() || (value.is_table() && !value.as_table()->is_inline());
+    if (under_header) entry.node.span = entry.key_span;
+    placed.emplace_back(key.source().begin, std::move(entry));
+  }
+  // The library sorts by name; a model file means its own order.
+  std::ranges::stable_sort(placed, {}, [](const auto& item) { return std::pair{item.first.line, item.first.column}; });
+  DocumentNode::Table table;
+  for (auto& [position, entry] : placed) table.push_back(std::move(entry));
+  return table;
+}
+
+DocumentNode make_node(const toml::node& from, const TextIndex& text) {
+  DocumentNode node;
+  node.span = make_span(from.source());
+  node.written = text.slice(from.source());
+  if (const auto* table = from.as_table()) {
+    node.value = make_table(*table, text);
+  } else if (const auto* array = from.as_array()) {
+    DocumentNode::Array items;
+    for (const toml::node& item : *array) items.push_back(make_node(item, text));
+    node.value = std::move(items);
+  } else if (const auto* boolean = from.as_boolean()) {
+    node.value = boolean->get();
+  } else if (const auto* integer = from.as_integer()) {
+    node.value = static_cast<double>(integer->get());
+  } else if (const auto* number = from.as_floating_point()) {
+    node.value = number->get();
+  } else if (const auto* string = from.as_string()) {
+    node.value = string->get();
+  }
+  return node;
+}
+
+void clear_spans(DocumentNode& node) {
+  node.span = {};
+  if (auto* table = node.table()) {
+    for (DocumentEntry& entry : *table) {
+      entry.key_span = {};
+      clear_spans(entry.node);
+    }
+  } else if (auto* array = std::get_if<DocumentNode::Array>(&node.value)) {
+    for (DocumentNode& item : *array) clear_spans(item);
+  }
+}
+
+}  // namespace
+
+std::optional<DocumentNode> parse_document(SourceMap& source, Diagnostics& diagnostics) {
+  try {
+    const toml::table table = toml::parse(std::string_view{source.text}, std::string_view{source.file});
+    return make_node(table, TextIndex{source.text});
+  } catch (const toml::parse_error& error) {
+    const auto position = error.source().begin;
+    const std::string path = "(syntax)";
+    source.spans[path] = {static_cast<int>(position.line), static_cast<int>(position.column), 1};
+    diagnostics.error("E-TOML-001", path, fmt::format("this is not valid TOML: {}", error.description()),
+                      {"a text needs quotes, a quantity with a unit too: mass = \"148 g\""});
+    return std::nullopt;
+  }
+}
+
+DocumentNode parse_value(std::string_view text) {
+  const std::string line = fmt::format("v = {}", text);
+  try {
+    const toml::table table = toml::parse(std::string_view{line});
+    const toml::node* value = table.get("v");
+    const bool one_value =
+        table.size() == 1 && value != nullptr && !value->is_date() && !value->is_time() && !value->is_date_time();
+    if (one_value) {
+      DocumentNode node = make_node(*value, TextIndex{line});
+      clear_spans(node);
+      return node;
+    }
+  } catch (const toml::parse_error&) {
+    // Not TOML, so an unquoted text: 0.3 mm.
+  }
+  return DocumentNode{std::string{text}, {}, fmt::format("\"{}\"", text), {}};
+}
+
+}  // namespace gudgeon

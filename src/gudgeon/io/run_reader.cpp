@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Root of a run file, and the one place where troubles inside a file meet its path.
+#include "gudgeon/io/run_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+
+#include "gudgeon/base/diagnostics.h"
+#include "gudgeon/io/hdf5_file.h"
+#include "gudgeon/io/hdf5_node.h"
+#include "gudgeon/io/record_fields.h"
+#include "gudgeon/io/run_tables.h"
+#include "gudgeon/io/safe_file.h"
+#include "gudgeon/io/stage_reader.h"
+
+namespace gudgeon {
+
+namespace {
+
+/// Runs a reading function and adds path and next step to whatever goes wrong in it.
+template <class Read>
+auto read_inside(const std::filesystem::path& file, Read read) {
+  check_source(file);
+  std::string why;
+  try {
+    const Hdf5Session session;
+    return read(open_root(open_file(file)));
+  } catch (const FileError& error) {
+    why = error.what();
+  } catch (const std::bad_alloc&) {
+    why = "it does not fit into memory";
+  } catch (const std::length_error&) {
+    why = "it does not fit into memory";
+  }
+  throw FileError(
+      fmt::format("{}: cannot be read as a run file: {}; give a file that 'gudgeon run' wrote", file.string(), why));
+}
+
+/// Adds the stage's name to troubles inside it.
+template <class Read>
+auto read_in_stage(const std::string& name, Read read) {
+  try {
+    return read();
+  } catch (const FileError& error) {
+    throw FileError(fmt::format("stage '{}': {}", name, error.what()));
+  }
+}
+
+void check_format(const Hdf5Handle& root) {
+  if (!has_attribute(root, "format") || read_text_attribute(root, "format") != kRunFormat) {
+    throw FileError("it is an HDF5 file of another program");
+  }
+  const std::int64_t version = read_count_attribute(root, "format_version");
+  if (version != kRunFormatVersion) {
+    throw FileError(fmt::format("its format version is {}, this program reads {}", version, kRunFormatVersion));
+  }
+}
+
+RunRecord read_header(const Hdf5Handle& root) {
+  check_format(root);
+  RunRecord run;
+  run.program_version = read_text_attribute(root, "program_version");
+  run.model_file = read_text_attribute(root, "model_file");
+  run.case_name = read_text_attribute(root, "case_name");
+  run.model_text = read_text(root, "model_text");
+  run.explained = read_text(root, "explained");
+  read_table(root, "overrides", kOverrideShape, [&](const void* bytes) {
+    const auto& row = *static_cast<const OverrideRow*>(bytes);
+    run.overrides.emplace_back(row.path == nullptr ? "" : row.path, row.text == nullptr ? "" : row.text);
+  });
+  return run;
+}
+
+RunRecord read_outline(const Hdf5Handle& root) {
+  RunRecord run = read_header(root);
+  const Hdf5Handle stages = open_group(root, "stages");
+  for (const std::string& name : find_children(stages)) {
+    run.stages.push_back(read_in_stage(name, [&] { return read_stage_outline(stages, name); }));
+  }
+  return run;
+}
+
+void read_all_values(const Hdf5Handle& stages, StageRecord& stage) {
+  read_stage_time(stages, stage);
+  for (std::size_t k = 0; k < stage.channels.size(); ++k) read_stage_values(stages, stage, k);
+}
+
+void read_some_values(const Hdf5Handle& stages, StageRecord& stage, std::span<const std::string> channels) {
+  read_stage_time(stages, stage);
+  stage.values.resize(stage.channels.size());
+  for (const std::string& name : channels) {
+    const auto found = std::ranges::find(stage.channels, name, &Channel::name);
+    if (found == stage.channels.end()) throw FileError(fmt::format("channel '{}' was not recorded", name));
+    read_stage_values(stages, stage, static_cast<std::size_t>(found - stage.channels.begin()));
+  }
+}
+
+}  // namespace
+
+RunRecord read_run(const std::filesystem::path& file) {
+  return read_inside(file, [](const Hdf5Handle& root) {
+    RunRecord run = read_outline(root);
+    const Hdf5Handle stages = open_group(root, "stages");
+    for (StageRecord& stage : run.stages) read_in_stage(stage.name, [&] { read_all_values(stages, stage); });
+    return run;
+  });
+}
+
+RunRecord read_run_outline(const std::filesystem::path& file) { return read_inside(file, read_outline); }
+
+void read_channels(const std::filesystem::path& file, StageRecord& stage, std::span<const std::string> channels) {
+  read_inside(file, [&](const Hdf5Handle& root) {
+    check_format(root);
+    const Hdf5Handle stages = open_group(root, "stages");
+    read_in_stage(stage.name, [&] { read_some_values(stages, stage, channels); });
+  });
+}
+
+}  // namespace gudgeon

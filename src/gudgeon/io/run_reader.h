@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Reads a run file back. Every trouble, also a damaged or foreign file, is a FileError.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "gudgeon/results/run_record.h"
+
+namespace gudgeon {
+
+/// Everything.
+RunRecord read_run(const std::filesystem::path& file);
+
+/// All but StageRecord::values and time; values has an empty vector for each channel.
+RunRecord read_run_outline(const std::filesystem::path& file);
+
+/// Fills time and the values of those channels of a stage from read_run_outline; leaves other values as they are.
+void read_channels(const std::filesystem::path& file, StageRecord& stage, std::span<const std::string> channels);
+
+}  // namespace gudgeon

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Channels, statistics, events, wear, energy and solver work of a stage, checked against each other.
+#include "gudgeon/io/stage_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gudgeon/base/diagnostics.h"
+#include "gudgeon/io/hdf5_node.h"
+#include "gudgeon/io/record_fields.h"
+#include "gudgeon/io/run_tables.h"
+
+namespace gudgeon {
+
+namespace {
+
+template <class Record, class Fields>
+void read_reals(const Hdf5Handle& node, Record& record, const Fields& fields) {
+  for (const auto& field : fields) record.*field.member = read_real_attribute(node, field.name);
+}
+
+StageStatus read_status(const Hdf5Handle& node) {
+  const std::string text = read_text_attribute(node, "status");
+  const auto found = std::ranges::find(kStatusNames, text, [](const StatusName& s) { return std::string(s.name); });
+  if (found == kStatusNames.end()) throw FileError(fmt::format("status '{}' is not known", text));
+  return found->status;
+}
+
+void read_channel_list(const Hdf5Handle& node, StageRecord& stage) {
+  const Hdf5Handle group = open_group(node, "channels");
+  for (const std::string& name : find_children(group)) {
+    const Hdf5Handle dataset = open_dataset(group, name);
+    stage.channels.push_back({name, read_text_attribute(dataset, "symbol"), read_text_attribute(dataset, "unit"),
+                              read_text_attribute(dataset, "description")});
+  }
+  stage.values.resize(stage.channels.size());
+}
+
+void read_statistics(const Hdf5Handle& node, StageRecord& stage) {
+  read_table(node, "statistics", kStatisticsShape, [&](const void* bytes) {
+    const auto& row = *static_cast<const StatisticsRow*>(bytes);
+    const std::string channel = row.channel == nullptr ? "" : row.channel;
+    stage.statistics.push_back(
+        {channel, row.minimum, row.minimum_time, row.maximum, row.maximum_time, row.mean, row.rms});
+  });
+}
+
+void read_wear(const Hdf5Handle& node, StageRecord& stage) {
+  const Hdf5Handle group = open_group(node, "wear");
+  for (const std::string& name : find_children(group)) {
+    const Hdf5Handle joint = open_group(group, name);
+    JointWear& wear = stage.wear.emplace_back();
+    wear.joint = name;
+    read_reals(joint, wear, kWearReals);
+    for (const auto& field : kWearSeries) wear.*field.member = read_series(joint, field.name);
+  }
+}
+
+void read_events(const Hdf5Handle& node, StageRecord& stage) {
+  read_table(node, "events", kEventShape, [&](const void* bytes) {
+    const auto& event = *static_cast<const ContactEvent*>(bytes);
+    const bool known = event.joint >= 0 && static_cast<std::size_t>(event.joint) < stage.wear.size();
+    if (!known) throw FileError(fmt::format("an event names joint {} of {}", event.joint, stage.wear.size()));
+    stage.events.push_back(event);
+  });
+}
+
+void read_solver(const Hdf5Handle& node, SolverStatistics& solver) {
+  const Hdf5Handle group = open_group(node, "solver");
+  for (const auto& field : kSolverCounts) solver.*field.member = read_count_attribute(group, field.name);
+  read_reals(group, solver, kSolverReals);
+}
+
+}  // namespace
+
+StageRecord read_stage_outline(const Hdf5Handle& stages, const std::string& name) {
+  const Hdf5Handle node = open_group(stages, name);
+  StageRecord stage;
+  stage.name = name;
+  stage.status = read_status(node);
+  stage.message = read_text_attribute(node, "message");
+  stage.cycles = static_cast<int>(read_count_attribute(node, "cycles"));
+  read_reals(node, stage, kStageReals);
+  read_channel_list(node, stage);
+  read_statistics(node, stage);
+  read_wear(node, stage);
+  read_events(node, stage);
+  read_reals(open_group(node, "energy"), stage.ledger, kEnergyReals);
+  read_solver(node, stage.solver);
+  return stage;
+}
+
+void read_stage_time(const Hdf5Handle& stages, StageRecord& stage) {
+  stage.time = read_series(open_group(stages, stage.name), "time");
+}
+
+void read_stage_values(const Hdf5Handle& stages, StageRecord& stage, std::size_t k) {
+  const Hdf5Handle group = open_group(open_group(stages, stage.name), "channels");
+  const std::string& name = stage.channels[k].name;
+  std::vector<double> values = read_series(group, name);
+  if (values.size() != stage.time.size()) {
+    throw FileError(
+        fmt::format("channel '{}' has {} samples where time has {}", name, values.size(), stage.time.size()));
+  }
+  stage.values[k] = std::move(values);
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tables beside the ideal mechanism and beside published values.
+#include "gudgeon/report/comparison_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gudgeon/analysis/ideal_comparison.h"
+#include "gudgeon/analysis/translating_bodies.h"
+#include "gudgeon/base/diagnostics.h"
+#include "gudgeon/report/number_format.h"
+#include "gudgeon/report/table.h"
+
+namespace gudgeon {
+
+namespace {
+
+constexpr const char* kIdealStage = "ideal";
+
+constexpr const char* kWhatDiffers =
+    "  What differs by nature: impacts between journal and bearing are chaotic, so a peak agrees in magnitude, not in\n"
+    "  sign or time, and changes with any change of model, tolerance or program; values the publication does not "
+    "print\n"
+    "  are assumed (the model file marks them). Ratios are of magnitudes, ours over published.\n";
+
+/// Adds a row, or the reason why there is none.
+void add_error_row(Table& table, std::string& reasons, const StageRecord& stage, const StageRecord& ideal,
+                   const Channel& channel) {
+  try {
+    const IdealError error = find_ideal_error(stage, ideal, channel.name);
+    table.add_row({stage.name, channel.name, format_engineering(error.largest, channel.unit),
+                   format_engineering(error.largest_time, "s"), format_engineering(error.rms, channel.unit)});
+  } catch (const NumericalError& reason) {
+    reasons += fmt::format("  not compared: {}\n", reason.what());
+  }
+}
+
+/// One table for the rows of one measure; values are named by name_value(k).
+template <class NameValue>
+std::string render_measure(std::span<const PublishedComparison> comparisons, std::string_view measure,
+                           NameValue name_value, bool color) {
+  std::size_t n_values = 0;
+  for (const auto& c : comparisons) {
+    if (c.published.measure == measure) n_values = std::max(n_values, c.ours.size());
+  }
+  std::vector<TableColumn> columns{{"quantity"}};
+  for (std::size_t k = 0; k < n_values; ++k) {
+    columns.push_back({name_value(k), Alignment::right});
+    columns.push_back({"ours", Alignment::right});
+    columns.push_back({"ratio", Alignment::right});
+  }
+  Table table(std::move(columns));
+  for (const auto& c : comparisons) {
+    if (c.published.measure != measure) continue;
+    std::vector<std::string> row{c.published.quantity};
+    for (std::size_t k = 0; k < c.ours.size(); ++k) {
+      row.push_back(format_engineering(c.published.values[k], c.published.unit));
+      row.push_back(format_engineering(c.ours[k], c.published.unit));
+      row.push_back(std::isnan(c.ratio[k]) ? std::string(kNoNumber) : fmt::format("{:.2f}", c.ratio[k]));
+    }
+    table.add_row(std::move(row));
+  }
+  return table.empty() ? "" : table.render(color);
+}
+
+}  // namespace
+
+std::vector<std::string> find_ideal_channels(const RunRecord& run) {
+  const StageRecord* ideal = find_stage(run, kIdealStage);
+  std::vector<std::string> channels;
+  if (ideal == nullptr) return channels;
+  for (const std::string& body : find_translating_bodies(*ideal)) {
+    for (const std::string& axis : find_moving_axes(*ideal, body)) {
+      for (const char* ending : {"", "_velocity", "_acceleration"}) {
+        const std::string name = body + "." + axis + ending;
+        const bool recorded = std::ranges::find(ideal->channels, name, &Channel::name) != ideal->channels.end();
+        if (recorded) channels.push_back(name);
+      }
+    }
+  }
+  return channels;
+}
+
+std::string render_ideal_errors(const RunRecord& run, bool color) {
+  const StageRecord* ideal = find_stage(run, kIdealStage);
+  if (ideal == nullptr || ideal->time.empty()) return "";  // no ideal run, or only the outline was read
+  Table table(
+      {{"stage"}, {"channel"}, {"largest", Alignment::right}, {"at", Alignment::right}, {"rms", Alignment::right}});
+  std::string reasons;
+  for (const StageRecord& stage : run.stages) {
+    if (&stage == ideal) continue;
+    for (const std::string& name : find_ideal_channels(run)) {
+      const Channel& channel = *std::ranges::find(ideal->channels, name, &Channel::name);
+      add_error_row(table, reasons, stage, *ideal, channel);
+    }
+  }
+  if (table.empty() && reasons.empty()) return "";
+  return render_title("Error of the slider motion against the ideal mechanism", color) +
+         (table.empty() ? "" : table.render(color)) + reasons;
+}
+
+std::string render_published(const RunRecord& run, std::span<const PublishedRow> published, bool color) {
+  if (published.empty()) return "";
+  std::vector<PublishedComparison> comparisons;
+  for (const PublishedRow& row : published) comparisons.push_back(compare_published(run, row));
+  const auto name_update = [](std::size_t k) { return fmt::format("wear update {}", k + 1); };
+  return render_title("Beside the published values", color) +
+         render_measure(comparisons, "peak", name_worn_stage, color) +
+         render_measure(comparisons, "wear_depth", name_update, color) + kWhatDiffers;
+}
+
+}  // namespace gudgeon

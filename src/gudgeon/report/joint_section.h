@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Sections of the summary about clearance joints. A section with nothing to say is an empty text.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "gudgeon/analysis/wear_summary.h"
+#include "gudgeon/results/run_record.h"
+
+namespace gudgeon {
+
+/// Depth, volume and worn angles a stage and joint.
+std::string render_wear(const RunRecord& run, bool color);
+
+/// Onsets, time in contact and in flight, forces, a stage and joint.
+std::string render_contacts(const RunRecord& run, bool color);
+
+/// "32–120°, 246–328°"; ranges beyond the first few are counted.
+std::string render_ranges(std::span<const AngleRange> ranges);
+
+}  // namespace gudgeon

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tables of stages, peaks and energy.
+#include "gudgeon/report/stage_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "gudgeon/analysis/energy_audit.h"
+#include "gudgeon/analysis/translating_bodies.h"
+#include "gudgeon/report/number_format.h"
+#include "gudgeon/report/table.h"
+
+namespace gudgeon {
+
+namespace {
+
+const char* name_status(StageStatus status) {
+  switch (status) {
+    case StageStatus::finished:
+      return "finished";
+    case StageStatus::stopped:
+      return "stopped";
+    case StageStatus::failed:
+      return "failed";
+  }
+  return "";
+}
+
+/// A table with a text column and a right-aligned one a stage.
+Table make_stage_columns(const RunRecord& run, std::string first) {
+  std::vector<TableColumn> columns{{std::move(first), Alignment::left}};
+  for (const StageRecord& stage : run.stages) columns.push_back({stage.name, Alignment::right});
+  return Table(std::move(columns));
+}
+
+/// Channels whose peaks a reader asks for first, in the order recorded, each once over all stages.
+std::vector<Channel> find_peak_channels(const RunRecord& run) {
+  std::vector<Channel> peaks;
+  for (const StageRecord& stage : run.stages) {
+    const std::vector<std::string> sliders = find_translating_bodies(stage);
+    const auto is_slider_acceleration = [&](const std::string& name) {
+      return std::ranges::any_of(sliders, [&](const std::string& body) {
+        const std::vector<std::string> axes = find_moving_axes(stage, body);
+        return std::ranges::any_of(axes,
+                                   [&](const std::string& a) { return name == body + "." + a + "_acceleration"; });
+      });
+    };
+    for (const Channel& channel : stage.channels) {
+      const std::string& name = channel.name;
+      const bool wanted = name.ends_with(".normal_force") || name.ends_with(".effort") || is_slider_acceleration(name);
+      const bool known = std::ranges::find(peaks, name, &Channel::name) != peaks.end();
+      if (wanted && !known && find_statistics(stage, name) != nullptr) peaks.push_back(channel);
+    }
+  }
+  return peaks;
+}
+
+}  // namespace
+
+std::string render_stages(const RunRecord& run, bool color) {
+  if (run.stages.empty()) return render_title("No stage was run", color);
+  Table table({{"stage"},
+               {"status"},
+               {"cycles", Alignment::right},
+               {"reached", Alignment::right},
+               {"wall time", Alignment::right},
+               {"evaluations", Alignment::right},
+               {"steps", Alignment::right},
+               {"rejected", Alignment::right},
+               {"onsets", Alignment::right}});
+  std::string messages;
+  for (const StageRecord& stage : run.stages) {
+    const SolverStatistics& solver = stage.solver;
+    table.add_row({stage.name, name_status(stage.status), fmt::format("{}", stage.cycles),
+                   format_engineering(stage.end_time, "s"), format_engineering(solver.wall_time, "s"),
+                   format_count(solver.evaluations), format_count(solver.accepted_steps),
+                   format_count(solver.rejected_steps), format_count(solver.onsets)});
+    if (!stage.message.empty()) messages += fmt::format("  {}: {}\n", stage.name, stage.message);
+  }
+  return render_title("Stages", color) + table.render(color) + messages;
+}
+
+std::string render_peaks(const RunRecord& run, bool color) {
+  Table table = make_stage_columns(run, "channel");
+  for (const Channel& channel : find_peak_channels(run)) {
+    std::vector<std::string> row{channel.name};
+    for (const StageRecord& stage : run.stages) {
+      const ChannelStatistics* statistics = find_statistics(stage, channel.name);
+      row.push_back(statistics == nullptr ? kNoNumber : format_engineering(statistics->peak(), channel.unit));
+    }
+    table.add_row(std::move(row));
+  }
+  if (table.empty()) return "";
+  return render_title("Peaks (signed value of largest magnitude, over the counted cycles)", color) +
+         table.render(color);
+}
+
+std::string render_energy(const RunRecord& run, bool color) {
+  if (run.stages.empty()) return "";
+  std::vector<EnergyAudit> audits;
+  for (const StageRecord& stage : run.stages) audits.push_back(check_energy(stage.ledger));
+  Table table = make_stage_columns(run, "energy");
+  const auto add_row = [&](const char* meaning, auto render_cell) {
+    std::vector<std::string> row{meaning};
+    for (const EnergyAudit& audit : audits) row.push_back(render_cell(audit));
+    table.add_row(std::move(row));
+  };
+  for (std::size_t k = 0; k < audits.front().lines.size(); ++k) {
+    add_row(audits.front().lines[k].meaning,
+            [k](const EnergyAudit& audit) { return format_engineering(audit.lines[k].value, "J"); });
+  }
+  add_row("sum (residual)", [](const EnergyAudit& audit) { return format_engineering(audit.residual, "J"); });
+  add_row("energy exchanged", [](const EnergyAudit& audit) { return format_engineering(audit.scale, "J"); });
+  add_row("residual / exchanged", [](const EnergyAudit& audit) { return fmt::format("{:.1e}", audit.relative); });
+  add_row("adds up", [](const EnergyAudit& audit) { return std::string(audit.closed ? "yes" : "NO"); });
+  return render_title(
+             fmt::format("Energy ledger (now − start − given + lost; adds up within {:.0e})", kEnergyTolerance),
+             color) +
+         table.render(color);
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One linear correction for positions and one for rates, with the factors at hand.
+#include "gudgeon/sim/closure_projection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gudgeon {
+
+namespace {
+
+// A correction moves coordinates by about the gap over the size of the mechanism; this much more is not a correction.
+constexpr double kMostMoved = 1e4;
+
+}  // namespace
+
+double find_largest(const std::vector<Vec2>& residual) noexcept {
+  double largest = 0.0;
+  for (const Vec2 r : residual) largest = std::max(largest, norm(r));
+  return largest;
+}
+
+ClosureProjection::ClosureProjection(const Tables& tables, double tolerance)
+    : tables_(&tables),
+      tolerance_(tolerance),
+      residual_(tables.closures.size()),
+      correction_(static_cast<std::size_t>(tables.counts.n_free())) {}
+
+int ClosureProjection::project(double t, std::vector<double>& y, std::vector<double>& slope,
+                               MotionEquations& equations) {
+  Workspace& workspace = equations.workspace;
+  // What a gap does to the motion grows towards a singular position, and so does the care that it takes.
+  const double tolerance = tolerance_ / std::max(1.0, find_singular_closeness(*tables_, workspace));
+  int n_corrections = 0;
+  for (const bool rates : {false, true}) {
+    const std::vector<Vec2>& current = rates ? workspace.closure_rate : workspace.closure_gap;
+    if (find_largest(current) <= tolerance) continue;
+    residual_ = current;
+    find_correction(*tables_, residual_, workspace, correction_.data());
+    // Beside a singular position a correction would move the mechanism far for a gap that is next to nothing.
+    const double moved = *std::ranges::max_element(correction_, {}, [](double x) { return std::abs(x); });
+    if (!(std::abs(moved) <= kMostMoved * find_largest(residual_))) continue;
+    const std::size_t first = rates ? correction_.size() : 0;
+    for (std::size_t i = 0; i < correction_.size(); ++i) y[first + i] += correction_[i];
+    equations.eval(t, y.data(), slope.data());
+    ++n_corrections;
+  }
+  return n_corrections;
+}
+
+}  // namespace gudgeon

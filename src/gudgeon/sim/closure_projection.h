@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Holds loop closures: positions and rates put back onto the constraints.
+#pragma once
+
+#include <vector>
+
+#include "gudgeon/sim/motion_equations.h"
+
+namespace gudgeon {
+
+/// Corrects a state by the least change, weighted with mass, that closes the loops again. Holds its own scratch memory.
+class ClosureProjection {
+ public:
+  /// Closures off by no more than `tolerance` [m, m/s] are left alone; beside a singular position less is let pass.
+  ClosureProjection(const Tables& tables, double tolerance);
+
+  /// Corrects positions, then rates, of the state y that `equations` were last evaluated for, and evaluates the slope
+  /// again after each correction. Returns how many there were: 0, 1 or 2.
+  int project(double t, std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations);
+
+ private:
+  const Tables* tables_;
+  double tolerance_;
+  std::vector<Vec2> residual_;
+  std::vector<double> correction_;
+};
+
+/// Largest of the gaps or rates of all closures.
+double find_largest(const std::vector<Vec2>& residual) noexcept;
+
+}  // namespace gudgeon

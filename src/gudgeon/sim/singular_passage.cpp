@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// History, prediction, and the Hermite polynomial.
+#include "gudgeon/sim/singular_passage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gudgeon {
+
+namespace {
+
+// From this closeness on the equations are avoided; pivots are then two digits smaller than usual.
+constexpr double kCloseness = 200.0;
+// From this one on, steps are kept to a share of the time left, so that the history is dense where it is needed.
+constexpr double kAheadCloseness = 20.0;
+constexpr double kStepShare = 0.2;
+// Steps kept; enough to reach back over a stride at the tightest tolerances.
+constexpr std::size_t kMostEntries = 400;
+constexpr std::size_t kNodes = 4;
+// The estimate is that of a polynomial two orders lower, which is off by far more than the one that is used.
+constexpr double kTrustedEstimate = 100.0;
+
+}  // namespace
+
+void SingularPassage::note(double time, const std::vector<double>& y, const std::vector<double>& slope,
+                           double closeness) {
+  if (history_.size() == kMostEntries) history_.pop_front();
+  history_.push_back({time, 1.0 / std::sqrt(closeness), y, slope});
+}
+
+// Time to the singular position if the distance goes on to shrink as over the last step; infinite if it does not.
+double SingularPassage::find_time_left() const {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  if (history_.size() < 2) return kNever;
+  const Entry& now = history_.back();
+  const Entry& before = history_[history_.size() - 2];
+  if (now.distance >= before.distance) return kNever;
+  return now.distance * (now.time - before.time) / (before.distance - now.distance);
+}
+
+double SingularPassage::find_longest_step() const {
+  if (history_.empty() || history_.back().distance * history_.back().distance * kAheadCloseness > 1.0) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return kStepShare * find_time_left();
+}
+
+std::optional<double> SingularPassage::find_far_side() {
+  if (history_.size() < kNodes) return std::nullopt;
+  const Entry& now = history_.back();
+  const double stride = 2.0 * find_time_left();
+  if (now.distance * now.distance * kCloseness > 1.0 || !std::isfinite(stride)) return std::nullopt;
+  choose_nodes(stride);
+  if (nodes_.size() < kNodes) return std::nullopt;
+  // The polynomial through one step less tells how far this one is to be trusted.
+  const double far_side = now.time + stride;
+  for (std::size_t i = 0; i < now.y.size(); ++i) {
+    const double error = extrapolate(far_side, i, kNodes) - extrapolate(far_side, i, kNodes - 1);
+    if (!(std::abs(error) <= kTrustedEstimate * tolerance_ * std::max(1.0, std::abs(now.y[i])))) return std::nullopt;
+  }
+  return far_side;
+}
+
+// The newest step and three before it, each at least a third of the stride from the next.
+void SingularPassage::choose_nodes(double stride) {
+  nodes_.clear();
+  for (auto entry = history_.rbegin(); entry != history_.rend() && nodes_.size() < kNodes; ++entry) {
+    if (nodes_.empty() || nodes_.back()->time - entry->time >= stride / 3.0) nodes_.push_back(&*entry);
+  }
+}
+
+// Newton's divided differences with every node doubled, so that slopes are met as well as values.
+double SingularPassage::extrapolate(double time, std::size_t component, std::size_t n_nodes) const {
+  std::array<double, 2 * kNodes> at{};
+  std::array<double, 2 * kNodes> difference{};
+  const std::size_t n = 2 * n_nodes;
+  for (std::size_t k = 0; k < n; ++k) {
+    at[k] = nodes_[k / 2]->time;
+    difference[k] = nodes_[k / 2]->y[component];
+  }
+  for (std::size_t order = 1; order < n; ++order) {
+    for (std::size_t k = n - 1; k >= order; --k) {
+      const bool same_node = order == 1 && k % 2 == 1;
+      difference[k] = same_node ? nodes_[k / 2]->slope[component]
+                                : (difference[k] - difference[k - 1]) / (at[k] - at[k - order]);
+    }
+  }
+  double value = difference[n - 1];
+  for (std::size_t k = n - 1; k-- > 0;) value = value * (time - at[k]) + difference[k];
+  return value;
+}
+
+void SingularPassage::interpolate(double time, std::vector<double>& y) const {
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = extrapolate(time, i, kNodes);
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Error norm and controller.
+#include "gudgeon/sim/step_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gudgeon {
+
+namespace {
+
+// Safety and bounds of one change; exponents of the controller for order 5.
+constexpr double kSafety = 0.9;
+constexpr double kLeastChange = 0.2;
+constexpr double kMostChange = 5.0;
+constexpr double kErrorExponent = 0.17;
+constexpr double kLastErrorExponent = 0.04;
+// Errors below these say no more about the next step.
+constexpr double kLeastError = 1e-10;
+constexpr double kLeastLastError = 1e-4;
+
+}  // namespace
+
+StepControl::StepControl(const Study& study, std::size_t n_turns, std::size_t n_controlled, double first_step)
+    : absolute_tolerance_(study.absolute_tolerance),
+      relative_tolerance_(study.relative_tolerance),
+      n_turns_(n_turns),
+      n_controlled_(n_controlled),
+      next_(first_step) {}
+
+// Root mean square of the local errors against their tolerances; not finite when anything is not.
+double StepControl::find_error(const DormandPrince& stepper) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < stepper.end().size(); ++i) {
+    if (i >= n_controlled_) {
+      sum += 0.0 * stepper.end()[i];
+      continue;
+    }
+    double size = std::max(std::abs(stepper.start()[i]), std::abs(stepper.end()[i]));
+    if (i < n_turns_) size = std::min(size, 1.0);  // an angle's error does not become harmless after many turns
+    const double ratio = stepper.error()[i] / (absolute_tolerance_ + relative_tolerance_ * size);
+    sum += ratio * ratio;
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(n_controlled_, 1));
+  return std::max(std::sqrt(sum / count), kLeastError);
+}
+
+bool StepControl::accepts(const DormandPrince& stepper) {
+  const double error = find_error(stepper);
+  if (!std::isfinite(error)) {
+    next_ = kLeastChange * stepper.step();
+    return false;
+  }
+  const double change = kSafety * std::pow(error, -kErrorExponent) * std::pow(last_error_, kLastErrorExponent);
+  const bool accepted = error <= 1.0;
+  // A rejected step must shrink.
+  next_ = stepper.step() * std::clamp(change, kLeastChange, accepted ? kMostChange : kSafety);
+  if (accepted) last_error_ = std::max(error, kLeastLastError);
+  return accepted;
+}
+
+void StepControl::note_onset() {
+  if (step_after_onset_ > 0.0) next_ = std::min(next_, step_after_onset_);
+  after_onset_ = true;
+}
+
+void StepControl::note_step(double h) {
+  if (!after_onset_) return;
+  step_after_onset_ = h;
+  after_onset_ = false;
+}
+
+}  // namespace gudgeon

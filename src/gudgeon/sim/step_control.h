@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How long the next step may be.
+#pragma once
+
+#include <cstddef>
+
+#include "gudgeon/model/study.h"
+#include "gudgeon/sim/dormand_prince.h"
+
+namespace gudgeon {
+
+/// Proportional-integral control of the step by its local error, Hairer & Wanner 1996, IV.2.
+class StepControl {
+ public:
+  /// The first n_turns components are angles, the next up to n_controlled other coordinates and rates; what follows
+  /// them is carried along without a tolerance.
+  StepControl(const Study& study, std::size_t n_turns, std::size_t n_controlled, double first_step);
+
+  /// Length proposed for the next attempt [s].
+  [[nodiscard]] double next_step() const { return next_; }
+
+  /// Whether the attempted step keeps the tolerance; proposes the next length either way.
+  bool accepts(const DormandPrince& stepper);
+
+  /// A contact has begun: its time scale is not that of free flight. Proposes the length that worked after the last onset.
+  void note_onset();
+  /// The length of an accepted step.
+  void note_step(double h);
+
+ private:
+  [[nodiscard]] double find_error(const DormandPrince& stepper) const;
+
+  double absolute_tolerance_;
+  double relative_tolerance_;
+  std::size_t n_turns_;
+  std::size_t n_controlled_;
+  double next_;
+  double last_error_ = 1.0;
+  double step_after_onset_ = 0.0;
+  bool after_onset_ = false;
+};
+
+}  // namespace gudgeon

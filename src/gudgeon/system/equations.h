@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Matrix and right-hand side of the equations of motion, summed up from the tables.
+#pragma once
+
+#include <span>
+
+#include "gudgeon/system/dynamics.h"
+
+namespace gudgeon {
+
+/// Writes [H Jᵀ; J 0] into workspace.values and [Q; γ] into workspace.equations for workspace.coordinates, and all gaps,
+/// rates and contact forces on the way.
+void assemble_equations(const Tables& tables, std::span<const ContactLatch> latches, Feedback feedback,
+                        Workspace& workspace) noexcept;
+
+}  // namespace gudgeon

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where bodies start that nothing but clearance joints holds.
+#pragma once
+
+#include "gudgeon/system/assembly.h"
+
+namespace gudgeon {
+
+/// Moves every loose body, and what hangs from it, to the start position and velocity given for it. Without them it
+/// stays where the ideal joints have put it, journals in the middle of their bearings.
+void place_loose_bodies(const Mechanism& mechanism, Assembly& assembly);
+
+}  // namespace gudgeon

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Our values beside published ones.
+#include "gudgeon/analysis/published.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gudgeon/base/diagnostics.h"
+#include "tests/results/synthetic_run.h"
+
+namespace gudgeon {
+namespace {
+
+TEST(Published, PeaksBelongToTheWornStages) {
+  const PublishedRow row{"contact force A", "A.normal_force", "peak", {1000.0, -5000.0, 7.0}, ""};
+  const PublishedComparison comparison = compare_published(test::make_run(), row);
+  EXPECT_EQ(comparison.published.unit, "N");
+  EXPECT_EQ(comparison.stages, (std::vector<std::string>{"no_wear", "wear_1", "wear_2"}));
+  EXPECT_EQ(comparison.ours[0], 2000.0);
+  EXPECT_EQ(comparison.ours[1], 2500.0);
+  EXPECT_TRUE(std::isnan(comparison.ours[2]));
+  EXPECT_EQ(comparison.ratio[0], 2.0);
+  EXPECT_EQ(comparison.ratio[1], 0.5);
+  EXPECT_TRUE(std::isnan(comparison.ratio[2]));
+}
+
+TEST(Published, WearDepthIsWhatHasAccumulatedAfterTheUpdate) {
+  const PublishedRow row{"wear depth A", "A", "wear_depth", {8e-6, std::nan("")}, ""};
+  const PublishedComparison comparison = compare_published(test::make_run(), row);
+  EXPECT_EQ(comparison.published.unit, "m");
+  EXPECT_DOUBLE_EQ(comparison.ours[0], 4e-6);
+  EXPECT_DOUBLE_EQ(comparison.ours[1], 10e-6);
+  EXPECT_DOUBLE_EQ(comparison.ratio[0], 0.5);
+  EXPECT_TRUE(std::isnan(comparison.ratio[1]));
+}
+
+TEST(Published, UnknownThingsHaveNoValueAndUnknownMeasuresAreRefused) {
+  const RunRecord run = test::make_run();
+  EXPECT_TRUE(std::isnan(compare_published(run, {"q", "Z", "wear_depth", {1.0}, ""}).ours[0]));
+  EXPECT_TRUE(std::isnan(compare_published(run, {"q", "Z.effort", "peak", {1.0}, ""}).ours[0]));
+  EXPECT_THROW(compare_published(run, {"q", "A", "mean", {1.0}, ""}), NumericalError);
+}
+
+}  // namespace
+}  // namespace gudgeon

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// gudgeon check on sound and unsound models.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/program.h"
+
+namespace gudgeon::test {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+
+TEST(CheckCommand, CountsASoundModel) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_program(folder, {"check", find_slider_crank()});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  // Three bodies; two revolute joints, a guide and a driver; the clearance joint takes nothing.
+  EXPECT_THAT(outcome.out, ContainsRegex("moving bodies +3"));
+  EXPECT_THAT(outcome.out, ContainsRegex("coordinates +9"));
+  EXPECT_THAT(outcome.out, ContainsRegex("constraint rows +7"));
+  EXPECT_THAT(outcome.out, ContainsRegex("degrees of freedom +2"));
+  EXPECT_THAT(outcome.out, HasSubstr("One cycle takes 1 s."));
+}
+
+TEST(CheckCommand, CaseAndSettingChangeTheModel) {
+  const TemporaryFolder folder;
+  const Outcome slow = run_program(folder, {"check", find_slider_crank(), "--case", "slow"});
+  EXPECT_THAT(slow.out, HasSubstr("One cycle takes 2 s."));
+  const Outcome set = run_program(folder, {"check", find_slider_crank(), "--set", "drivers.motor.speed=4 rev/s"});
+  EXPECT_THAT(set.out, HasSubstr("One cycle takes 0.25 s."));
+}
+
+TEST(CheckCommand, ExplainShowsDefaults) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_program(folder, {"check", find_slider_crank(), "--explain"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("relative_tolerance"));
+}
+
+TEST(CheckCommand, ReportsAllErrorsAtOnce) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_program(folder, {"check", find_slider_crank(), "--set", "joints.pin.radial_clearance=-1 mm", "--set",
+                           "bodies.crank.mass=3 m", "--set", "contacts.steel.friction.law=lugre_stedy"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr("E-MODEL-012"));
+  EXPECT_THAT(outcome.err, HasSubstr("body 'crank': mass is \"3 m\""));
+  EXPECT_THAT(outcome.err, HasSubstr("lugre_steady"));
+}
+
+TEST(CheckCommand, ErrorsShowTheLine) {
+  const TemporaryFolder folder;
+  std::string text = read_text(find_slider_crank());
+  text.replace(text.find("\"0.1 mm\""), 8, "\"-0.1 mm\"");
+  const Outcome outcome = run_program(folder, {"check", folder.write("bad.toml", text).filename()});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, ContainsRegex("bad\\.toml:[0-9]+:[0-9]+: error E-MODEL-012"));
+  EXPECT_THAT(outcome.err, HasSubstr("^^^^^^^^^"));
+}
+
+TEST(CheckCommand, MechanismThatDoesNotCloseIsAModelError) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_program(folder, {"check", find_slider_crank(), "--set", "bodies.rod.points.S=[\"20 mm\", 0]"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("mm"));
+}
+
+TEST(CheckCommand, BrokenSyntaxIsAModelError) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_program(folder, {"check", folder.write("bad.toml", "name = \n[bodies")});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("E-TOML-001"));
+}
+
+TEST(CheckCommand, MissingFileIsAFileError) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_program(folder, {"check", "none.toml"});
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("none.toml"));
+}
+
+}  // namespace
+}  // namespace gudgeon::test

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Arcs laid onto regions: against each region's overlap counted out, and what all of them hold together.
+#include "gudgeon/geometry/arc_accumulator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+namespace gudgeon {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+struct Arc {
+  double angle;
+  double width;
+  double amount;
+};
+
+// Overlap of each region with the arc and its copies whole turns away, as a share of the region.
+void add_overlaps(const Arc& arc, std::vector<double>& amounts) {
+  const double region = kTurn / static_cast<double>(amounts.size());
+  const double first = std::remainder(arc.angle, kTurn) - 0.5 * arc.width;
+  for (std::size_t k = 0; k < amounts.size(); ++k) {
+    for (const double shift : {-kTurn, 0.0, kTurn}) {
+      const double from = std::max(static_cast<double>(k) * region, first + shift);
+      const double to = std::min(static_cast<double>(k + 1) * region, first + arc.width + shift);
+      if (to > from) amounts[k] += arc.amount * (to - from) / region;
+    }
+  }
+}
+
+std::vector<Arc> make_random_arcs(std::size_t n, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> angle(-20.0, 20.0);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  std::vector<Arc> arcs;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double width = share(random) * (k % 2 == 0 ? 0.02 : kTurn);  // narrower than a region, and up to all of it
+    arcs.push_back({angle(random), width, share(random)});
+  }
+  arcs.push_back({0.0, 0.3, 1.0});      // over the seam
+  arcs.push_back({kTurn, 0.3, 1.0});    // the same again
+  arcs.push_back({-1e-20, 1e-4, 1.0});  // wraps to the very end
+  arcs.push_back({1.1, kTurn, 1.0});    // all around
+  return arcs;
+}
+
+TEST(ArcAccumulator, AgreesWithOverlapsCountedOut) {
+  for (const std::size_t n : {10u, 100u, 1000u}) {
+    ArcAccumulator accumulator(n);
+    std::vector<double> expected(n, 0.0);
+    for (const Arc& arc : make_random_arcs(60, 11)) {
+      accumulator.add_arc(arc.angle, arc.width, arc.amount);
+      add_overlaps(arc, expected);
+    }
+    const std::vector<double> amounts = accumulator.sum();
+    ASSERT_EQ(amounts.size(), n);
+    // Positions of some 1000 regions round to 1e-13 of a region, 64 times.
+    for (std::size_t k = 0; k < n; ++k) EXPECT_NEAR(amounts[k], expected[k], 1e-11) << k << " of " << n;
+  }
+}
+
+TEST(ArcAccumulator, ConservesWhatIsLaidDown) {
+  for (const std::size_t n : {100u, 1000u, 4000u}) {
+    ArcAccumulator accumulator(n);
+    double expected = 0.0;
+    for (const Arc& arc : make_random_arcs(5000, 12)) {
+      accumulator.add_arc(arc.angle, arc.width, arc.amount);
+      expected += arc.amount * arc.width;
+    }
+    const std::vector<double> amounts = accumulator.sum();
+    const double held = kTurn / static_cast<double>(n) * std::accumulate(amounts.begin(), amounts.end(), 0.0);
+    EXPECT_NEAR(held, expected, 1e-12 * expected) << n;  // rounding of 5000 additions
+  }
+}
+
+TEST(ArcAccumulator, PlacesAnArcOfOneRegionInThatRegion) {
+  constexpr std::size_t kRegions = 100;
+  constexpr double kRegion = kTurn / kRegions;
+  for (const std::size_t region : {0u, 1u, 57u, 99u}) {
+    ArcAccumulator accumulator(kRegions);
+    accumulator.add_arc((static_cast<double>(region) + 0.5) * kRegion, kRegion, 3.0);
+    const std::vector<double> amounts = accumulator.sum();
+    for (std::size_t k = 0; k < kRegions; ++k) {
+      EXPECT_NEAR(amounts[k], k == region ? 3.0 : 0.0, 1e-12) << k;  // a position among 100 regions rounds to 1e-14
+    }
+  }
+}
+
+TEST(ArcAccumulator, SplitsAnArcOverItsRegions) {
+  constexpr double kRegion = kTurn / 8.0;
+  ArcAccumulator accumulator(8);
+  accumulator.add_arc(0.0, kRegion, 2.0);              // half a region on each side of the seam
+  accumulator.add_arc(3.25 * kRegion, kRegion, 4.0);   // from 2.75 to 3.75
+  const std::vector<double> expected{1.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0, 1.0};
+  const std::vector<double> amounts = accumulator.sum();
+  for (std::size_t k = 0; k < 8; ++k) EXPECT_NEAR(amounts[k], expected[k], 1e-14) << k;  // rounding
+}
+
+TEST(ArcAccumulator, FullCircleReachesEveryRegionOnce) {
+  for (const double angle : {0.0, 0.1, std::numbers::pi, -2.0, 6.28}) {
+    ArcAccumulator accumulator(1000);
+    accumulator.add_arc(angle, kTurn, 1.0);
+    for (const double amount : accumulator.sum()) EXPECT_NEAR(amount, 1.0, 1e-12);  // where the ends meet they round
+  }
+}
+
+TEST(ArcAccumulator, PutsAPointIntoItsRegionOnly) {
+  constexpr double kRegion = kTurn / 10.0;
+  const std::vector<std::pair<double, std::size_t>> cases{{0.0, 0},           {0.99 * kRegion, 0}, {1.01 * kRegion, 1},
+                                                          {9.99 * kRegion, 9}, {-0.01, 9},          {kTurn + 0.01, 0},
+                                                          {-1e-20, 0}};
+  for (const auto& [angle, region] : cases) {
+    ArcAccumulator accumulator(10);
+    accumulator.add_point(angle, 2.5);
+    const std::vector<double> amounts = accumulator.sum();
+    for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(amounts[k], k == region ? 2.5 : 0.0) << angle << ", region " << k;
+  }
+}
+
+TEST(ArcAccumulator, AddsPointsToArcs) {
+  ArcAccumulator accumulator(4);
+  accumulator.add_arc(1.0, kTurn, 1.0);
+  accumulator.add_point(2.0, 5.0);
+  const std::vector<double> amounts = accumulator.sum();
+  EXPECT_NEAR(amounts[1], 6.0, 1e-15);
+  EXPECT_NEAR(amounts[2], 1.0, 1e-15);
+}
+
+}  // namespace
+}  // namespace gudgeon

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// CSV files: their columns, their numbers, their manners.
+#include "gudgeon/io/csv_export.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "gudgeon/base/diagnostics.h"
+#include "tests/io/scratch_directory.h"
+#include "tests/results/same_bits.h"
+#include "tests/results/synthetic_run.h"
+
+namespace gudgeon {
+namespace {
+
+using test::make_run;
+using test::read_text_file;
+using test::ScratchDirectory;
+
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(CsvExport, WritesOneFileAStageAndKind) {
+  const ScratchDirectory scratch;
+  const auto written = export_csv(make_run(), scratch / "csv/deep", false);
+  EXPECT_EQ(written.size(), 3u + 5u + 5u);  // the ideal stage has no joints
+  for (const auto& path : written) EXPECT_TRUE(std::filesystem::exists(path)) << path;
+  EXPECT_EQ(written.front(), scratch / "csv/deep/ideal_channels.csv");
+}
+
+TEST(CsvExport, ChannelsComeBackToTheLastBit) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  export_csv(run, scratch.path(), false);
+  const auto lines = split_lines(read_text_file(scratch / "no_wear_channels.csv"));
+  ASSERT_EQ(lines.size(), 1 + test::kSamples);
+  EXPECT_EQ(lines[0],
+            "time [s],slider.x [m],slider.x_velocity [m/s],slider.x_acceleration [m/s^2],slider.angle_rate [rad/s],"
+            "crank.angle_rate [rad/s],crank.effort [N m],A.normal_force [N]");
+  std::vector<double> x;
+  for (std::size_t i = 1; i < lines.size(); ++i) x.push_back(std::stod(lines[i].substr(lines[i].find(',') + 1)));
+  EXPECT_TRUE(test::have_same_bits(x, run.stages[1].values[0]));
+}
+
+TEST(CsvExport, WearHasTheMiddleOfEachRegion) {
+  const ScratchDirectory scratch;
+  export_csv(make_run(), scratch.path(), false);
+  const auto lines = split_lines(read_text_file(scratch / "no_wear_wear.csv"));
+  ASSERT_EQ(lines.size(), 1 + test::kRegions);
+  EXPECT_EQ(lines[0],
+            "joint,angle [rad],bearing_depth [m],journal_depth [m],bearing_depth_added [m],journal_depth_added [m],"
+            "total_depth_added [m]");
+  EXPECT_EQ(lines[1].substr(0, 22), "A,0.031415926535897934");
+  EXPECT_THAT(lines[98], testing::EndsWith(",4e-06"));
+}
+
+TEST(CsvExport, EventsStatisticsAndEnergy) {
+  const ScratchDirectory scratch;
+  RunRecord run = make_run();
+  run.stages[1].wear[0].joint = "A, \"left\"";
+  export_csv(run, scratch.path(), false);
+  EXPECT_EQ(split_lines(read_text_file(scratch / "no_wear_events.csv"))[1],
+            "\"A, \"\"left\"\"\",0.05,0.5,0.12,-1,2000");
+  EXPECT_EQ(split_lines(read_text_file(scratch / "no_wear_statistics.csv"))[4],
+            "A.normal_force,N,0,0,2000,0.05,20,120");
+  const auto energy = split_lines(read_text_file(scratch / "ideal_energy.csv"));
+  EXPECT_EQ(energy[0], "term,value [J]");
+  EXPECT_EQ(energy[5], "driver_work,12");
+  EXPECT_EQ(energy.back(), "residual,0");
+}
+
+TEST(CsvExport, OutlineAndShortSeriesGiveEmptyCells) {
+  const ScratchDirectory scratch;
+  RunRecord run = make_run();
+  run.stages.resize(2);
+  run.stages[1].values[0].clear();
+  run.stages[1].wear[0].bearing_depth.resize(1);
+  export_csv(run, scratch.path(), false);
+  const auto lines = split_lines(read_text_file(scratch / "no_wear_channels.csv"));
+  EXPECT_THAT(lines[0], testing::StartsWith("time [s],slider.x_velocity [m/s],"));
+  EXPECT_THAT(split_lines(read_text_file(scratch / "no_wear_wear.csv"))[2], testing::HasSubstr(",,0,"));
+}
+
+TEST(CsvExport, ReplacesOnlyWhenAskedAndThenWritesNothing) {
+  const ScratchDirectory scratch;
+  test::write_text_file(scratch / "wear_1_energy.csv", "precious");
+  EXPECT_THROW(export_csv(make_run(), scratch.path(), false), FileError);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "ideal_channels.csv"));
+  export_csv(make_run(), scratch.path(), true);
+  EXPECT_NE(read_text_file(scratch / "wear_1_energy.csv"), "precious");
+}
+
+TEST(CsvExport, TellsWhenThereCanBeNoDirectory) {
+  const ScratchDirectory scratch;
+  test::write_text_file(scratch / "file", "");
+  EXPECT_THROW(export_csv(make_run(), scratch / "file", false), FileError);
+}
+
+}  // namespace
+}  // namespace gudgeon

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A model written out reads back as it was, bit by bit.
+#include "gudgeon/io/explain.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <numbers>
+
+#include "gudgeon/io/model_reader.h"
+
+namespace gudgeon {
+namespace {
+
+Mechanism make_every_kind() {
+  Mechanism mechanism;
+  mechanism.name = "all";
+  mechanism.description = "quotes \" and \\ and\nlines\tand µ";
+  mechanism.gravity = {0.1 + 0.2, -1e-300};
+  mechanism.bodies = {
+      {"frame", 0.0, 0.0, {}, {{"O", {}}}, {}},
+      {"a", 1.0 / 3.0, 2e-7, {1e22, 3.0}, {{"O", {}}, {"P", {0.1, -0.0}}}, {0.1, 0.2, Vec2{1, 2}, Vec2{3, 4}}},
+      {"b", 1.0, 1.0, {}, {{"P", {}}}, {}},
+      {"c", 1.0, 1.0, {}, {{"P", {}}}, {}}};
+  const Material steel{"steel", 2.07e11, 0.3};
+  const Material other_steel{"steel", 1.9e11, 0.3};
+  ContactProperties contact{"pin", steel, other_steel, Hertz{1.4}, Frictionless{}, NoWear{}, Archard{1e-14 / 3.0}};
+  mechanism.joints = {{"j1", Revolute{{"frame", "O"}, {"a", "O"}}},
+                      {"j2", RevoluteClearance{{"a", "P"}, {"b", "P"}, 0.01, 0.0003, 0.02, contact}},
+                      {"j3", Prismatic{{"a", "P"}, {"b", "P"}, 0.3, std::numbers::pi, 0.4, 0.5}},
+                      {"j4", Rigid{{"b", "P"}, {"c", "P"}, -0.7}}};
+  contact.normal_direction = NormalDirection::eccentricity;
+  mechanism.joints.push_back({"j5", RevoluteClearance{{"a", "P"}, {"c", "P"}, 0.01, 0.0003, 0.02, contact}});
+  mechanism.drivers = {{"d1", DrivenAngle{"a"}, 0.1, -1.0 / 7.0}, {"d2", DrivenSlide{"j3"}, 0.4, 2.0}};
+  mechanism.loads = {{"l1", ConstantForce{{"a", "P"}, {1.0, 2.0}}}, {"l2", ConstantTorque{"b", -3.0}}};
+  return mechanism;
+}
+
+TEST(Explain, WritesEveryKindSoThatItReadsBack) {
+  const Mechanism mechanism = make_every_kind();
+  Study study;
+  study.cycle_time = 0.7;
+  study.magnification = 1e5;
+  study.stabilization = Stabilization::baumgarte;
+  study.published = {{"q", "A", "peak", {1.0, -2.5e-7}}};
+  const std::string text = explain(mechanism, study);
+  const ModelFile back = read_model_text("explained.toml", text);
+  EXPECT_FALSE(back.diagnostics.has_errors()) << render(back.diagnostics, back.source) << text;
+  EXPECT_EQ(explain(back.mechanism, back.study), text);
+  EXPECT_EQ(back.mechanism.description, mechanism.description);
+  EXPECT_EQ(back.mechanism.gravity, mechanism.gravity);
+  EXPECT_EQ(back.mechanism.bodies[1].mass, mechanism.bodies[1].mass);
+  EXPECT_EQ(back.mechanism.bodies[1].center_of_mass, mechanism.bodies[1].center_of_mass);
+  EXPECT_EQ(back.mechanism.bodies[1].start.velocity, mechanism.bodies[1].start.velocity);
+  EXPECT_EQ(back.mechanism.drivers[0].speed, mechanism.drivers[0].speed);
+  EXPECT_EQ(std::get<Prismatic>(back.mechanism.joints[2].kind).relative_angle, std::numbers::pi);
+  const auto& pin = std::get<RevoluteClearance>(back.mechanism.joints[1].kind);
+  EXPECT_EQ(std::get<Archard>(pin.contact.journal_wear).coefficient, 1e-14 / 3.0);
+  EXPECT_EQ(pin.contact.journal_material.young_modulus, 1.9e11);
+  EXPECT_EQ(back.study.cycle_time, 0.7);
+  EXPECT_EQ(back.study.published[0].values, study.published[0].values);
+}
+
+TEST(Explain, WritesOutDefaults) {
+  const std::string text = explain(make_every_kind(), {});
+  for (const char* line : {"relative_tolerance = 1e-07", "warm_up_cycles = 0", "deposition = \"spread\"",
+                           "onset_speed_floor = \"0.001 m/s\"", "normal_direction = \"gap_gradient\""}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  }
+}
+
+TEST(Explain, EveryExampleReadsBack) {
+  int n_examples = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(GUDGEON_SOURCE_DIR "/examples")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++n_examples;
+    const ModelFile model = read_model(entry.path());
+    EXPECT_EQ(render(model.diagnostics, model.source), "");
+    const std::string text = explain(model.mechanism, model.study);
+    const ModelFile back = read_model_text("explained.toml", text);
+    EXPECT_EQ(render(back.diagnostics, back.source), "");
+    EXPECT_EQ(explain(back.mechanism, back.study), text);
+    EXPECT_EQ(back.study.cycle_time, model.study.cycle_time);
+  }
+  EXPECT_GE(n_examples, 7);
+}
+
+}  // namespace
+}  // namespace gudgeon

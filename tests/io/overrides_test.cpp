@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Cases and overrides: what they may replace, their order, and how their errors say where they come from.
+#include "gudgeon/io/overrides.h"
+
+#include <gtest/gtest.h>
+
+#include "gudgeon/io/model_reader.h"
+
+namespace gudgeon {
+namespace {
+
+constexpr const char* kModel = R"(name = "pendulum"
+[bodies.frame]
+points = { O = [0, 0] }
+[bodies.bar]
+mass = "1 kg"
+inertia = "1 kg m^2"
+points = { O = [0, 0], tip = ["1 m", 0] }
+[joints.O]
+type = "revolute"
+between = ["frame.O", "bar.O"]
+[cases.heavy]
+description = "twice the mass"
+set = { "bodies.bar.mass" = "2 kg", "study.cycles" = 7, bodies.bar.inertia = 3 }
+[cases.broken]
+set = { "bodies.bar.mass" = "-2 kg" }
+[cases.lost]
+[cases.lost.set]
+"bodies.baar.mass" = 1
+)";
+
+ModelFile read_with(std::string_view case_name, std::vector<Override> overrides) {
+  return read_model_text("m.toml", kModel, case_name, overrides);
+}
+
+std::string rendered(const ModelFile& model) { return render(model.diagnostics, model.source); }
+
+const Body& bar(const ModelFile& model) { return model.mechanism.bodies[1]; }
+
+TEST(Overrides, CasesAreListedWithTheirTexts) {
+  const ModelFile model = read_with("", {});
+  EXPECT_EQ(rendered(model), "");
+  ASSERT_EQ(model.cases.size(), 3U);
+  EXPECT_EQ(model.cases[0].description, "twice the mass");
+  const std::vector<std::pair<std::string, std::string>> expected{
+      {"bodies.bar.mass", "2 kg"}, {"study.cycles", "7"}, {"bodies.bar.inertia", "3"}};
+  EXPECT_EQ(model.cases[0].overrides, expected);
+}
+
+TEST(Overrides, ApplyACaseThenTheCommandLine) {
+  const ModelFile model = read_with("heavy", {{"bodies.bar.mass", "5 kg"}, {"bodies.bar.points.tip.0", "3 m"}});
+  EXPECT_EQ(rendered(model), "");
+  EXPECT_EQ(bar(model).mass, 5.0);
+  EXPECT_EQ(bar(model).inertia, 3.0);
+  EXPECT_EQ(bar(model).points[1].position.x, 3.0);
+  EXPECT_EQ(model.study.cycles, 7);
+  EXPECT_EQ(model.case_name, "heavy");
+  EXPECT_EQ(model.overrides.size(), 2U);
+}
+
+TEST(Overrides, MaySetWhatTheFileLeavesOut) {
+  const ModelFile model = read_with("", {{"study.cycles", "3"},
+                                         {"bodies.bar.start.angle", "90 deg"},
+                                         {"gravity", "[0, \"-9.81 m/s^2\"]"},
+                                         {"study.compare_ideal", "false"},
+                                         {"loads.push", "3"}});
+  EXPECT_EQ(model.study.cycles, 3);
+  EXPECT_EQ(model.mechanism.gravity.y, -9.81);
+  EXPECT_FALSE(model.study.compare_ideal);
+  EXPECT_TRUE(bar(model).start.angle.has_value());
+  EXPECT_NE(rendered(model).find("the model has nothing at 'loads.push'"), std::string::npos);
+}
+
+TEST(Overrides, TakeTomlValuesAndUnquotedTexts) {
+  EXPECT_EQ(std::get<double>(parse_value("3").value), 3.0);
+  EXPECT_EQ(std::get<bool>(parse_value("true").value), true);
+  EXPECT_EQ(std::get<std::string>(parse_value("0.3 mm").value), "0.3 mm");
+  EXPECT_EQ(std::get<std::string>(parse_value("'0.3 mm'").value), "0.3 mm");
+  EXPECT_EQ(std::get<std::string>(parse_value("point").value), "point");
+  EXPECT_EQ(std::get<std::string>(parse_value("1979-05-27").value), "1979-05-27");
+  EXPECT_EQ(std::get<std::string>(parse_value("1\nw = 2").value), "1\nw = 2");
+  EXPECT_EQ(std::get<std::string>(parse_value("").value), "");
+  EXPECT_EQ(std::get<DocumentNode::Array>(parse_value("[1, \"2 m\"]").value).size(), 2U);
+  EXPECT_NE(parse_value("{ law = \"hertz\" }").table(), nullptr);
+}
+
+TEST(Overrides, ErrorsNameTheCommandLine) {
+  const ModelFile model = read_with("", {{"bodies.bar.mass", "-3 kg"}, {"study.cycels", "3"}, {"bodies.br.mass", "1"}});
+  const std::string text = rendered(model);
+  for (const char* expected :
+       {"--set bodies.bar.mass=-3 kg: error E-MODEL-003: body 'bar': mass is \"-3 kg\" (-3 kg); it must be positive",
+        "--set study.cycels=3: error E-FILE-001: study has no key 'cycels'", "Did you mean 'cycles'?",
+        "--set bodies.br.mass=1: error E-FILE-010: the model has nothing at 'bodies.br.mass'",
+        "Did you mean 'bodies.bar.mass'?", "3 errors"}) {
+    EXPECT_NE(text.find(expected), std::string::npos) << expected << "\nin\n" << text;
+  }
+}
+
+TEST(Overrides, ErrorsNameTheCase) {
+  const std::string broken = rendered(read_with("broken", {}));
+  EXPECT_TRUE(broken.starts_with("m.toml:15:29: error E-MODEL-003: ")) << broken;
+  EXPECT_NE(broken.find("   set by case 'broken'\n"), std::string::npos) << broken;
+  const std::string lost = rendered(read_with("lost", {}));
+  EXPECT_TRUE(lost.starts_with("m.toml:18:22: error E-FILE-010: ")) << lost;
+  EXPECT_NE(lost.find("Did you mean 'bodies.bar.mass'?"), std::string::npos) << lost;
+}
+
+TEST(Overrides, AnUnknownCaseListsTheCases) {
+  const std::string text = rendered(read_with("hevy", {}));
+  EXPECT_NE(text.find("E-FILE-009: there is no case 'hevy'"), std::string::npos) << text;
+  EXPECT_NE(text.find("possible: heavy, broken, lost   Did you mean 'heavy'?"), std::string::npos) << text;
+}
+
+TEST(Overrides, OddPathsAreErrors) {
+  for (const char* path : {"", ".", "bodies.", "bodies.bar.mass.x", "bodies.bar.points.tip.7", "..mass"}) {
+    EXPECT_TRUE(read_with("", {{path, "1"}}).diagnostics.has_errors()) << path;
+  }
+}
+
+}  // namespace
+}  // namespace gudgeon
