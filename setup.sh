@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: gudgeon contributors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Installs the Debian packages that gudgeon is built with, those that are missing. Needs root or sudo only for that.
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build pkg-config
+  libeigen3-dev libtomlplusplus-dev libfmt-dev libcli11-dev libhdf5-dev
+  libgtest-dev libgmock-dev libbenchmark-dev
+)
+
+is_installed() {
+  [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]
+}
+
+missing=()
+for package in "${packages[@]}"; do
+  is_installed "$package" || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+  exit 0
+fi
+
+as_root=()
+if ((EUID != 0)); then
+  if ! command -v sudo >/dev/null; then
+    echo "setup.sh: these packages are missing, and installing them needs root or sudo: ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+
+echo "Installing ${missing[*]}"
+log="$(mktemp)"
+trap 'rm -f "$log"' EXIT
+install_missing() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "$@" >>"$log" 2>&1
+}
+if ! { install_missing update && install_missing install --yes --no-install-recommends "${missing[@]}"; }; then
+  cat "$log" >&2
+  echo "setup.sh: the packages could not be installed; the reason is above" >&2
+  exit 1
+fi
