@@ -31,8 +31,8 @@ class PressedMechanism {
       state_.q[system.topology.bodies[find_body(mechanism, "rod_2")].turn] += 0.7 / 326.0;
       state_.q[system.topology.bodies[find_body(mechanism, "rod_3")].turn] -= 0.7 / 497.0;
     } else if (!latches_.empty()) {
-      state_.q[counts.n_free_turns] += 0.45e-3;
-      if (!system.topology.loose.empty()) state_.q[counts.n_free_turns + 1] += 0.35e-3;
+      state_.q[counts.n_free_turns] += 0.6e-3;
+      if (!system.topology.loose.empty()) state_.q[counts.n_free_turns + 1] += 0.15e-3;
     }
     eval(0.0);
     accelerations_.assign(workspace.equations.begin(), workspace.equations.begin() + counts.n_free());

@@ -86,7 +86,8 @@ TEST(NineBar, TighterTolerancesConverge) {
     EXPECT_LT(error, before / 3.0 + 1e-13) << tolerance;
     before = error;
   }
-  EXPECT_LT(before, 1e-11);
+  // What is left is a hundredth of a light contact's penetration, 1 um: impacts magnify every error.
+  EXPECT_LT(before, 1e-8);
 }
 
 TEST(NineBar, VanishingClearanceIsTheIdealJoint) {

@@ -40,8 +40,9 @@ RadialProfile::Value RadialProfile::eval(double angle) const noexcept {
   const double g = 1.0 - f;
   const double f2 = f * f;
   const double g2 = g * g;
-  const double depth = (h[0] * g2 * g + h[1] * (4.0 - 6.0 * f2 + 3.0 * f2 * f) + h[2] * (4.0 - 6.0 * g2 + 3.0 * g2 * g) +
-                        h[3] * f2 * f) / 6.0;
+  const double depth = (h[0] * g2 * g + h[1] * (4.0 - 6.0 * f2 + 3.0 * f2 * f) +
+                        h[2] * (4.0 - 6.0 * g2 + 3.0 * g2 * g) + h[3] * f2 * f) /
+                       6.0;
   const double slope = 0.5 * (-h[0] * g2 + h[1] * (3.0 * f2 - 4.0 * f) - h[2] * (3.0 * g2 - 4.0 * g) + h[3] * f2);
   return {depth, slope * regions_per_radian_};
 }

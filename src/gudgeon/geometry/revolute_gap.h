@@ -29,24 +29,24 @@ struct RevoluteMotion {
   Vec2 velocity;               ///< [m/s]
   double bearing_angle = 0.0;  ///< [rad]
   double journal_angle = 0.0;
-  double bearing_rate = 0.0;   ///< [rad/s]
+  double bearing_rate = 0.0;  ///< [rad/s]
   double journal_rate = 0.0;
 };
 
 /// The gap of a revolute clearance joint, taken along the line of centres as in eqs. (1) to (3) and (34):
 /// δ = e − [R_i(φ_i) − R_j(φ_j)], φ the direction of the line of centres in either body.
 struct RevoluteGap {
-  double eccentricity = 0.0;      ///< e [m]
-  Vec2 normal;                    ///< n [1], from the bearing's centre to the journal's
-  double penetration = 0.0;       ///< δ [m], > 0 in contact
-  double penetration_rate = 0.0;  ///< δ̇ [m/s], > 0 while approaching
-  double bearing_radius = 0.0;    ///< R_i(φ_i) [m], worn
-  double journal_radius = 0.0;    ///< R_j(φ_j) [m], worn
-  double bearing_slope = 0.0;     ///< dR_i/dφ [m/rad]
-  double journal_slope = 0.0;     ///< dR_j/dφ [m/rad]
+  double eccentricity = 0.0;         ///< e [m]
+  Vec2 normal;                       ///< n [1], from the bearing's centre to the journal's
+  double penetration = 0.0;          ///< δ [m], > 0 in contact
+  double penetration_rate = 0.0;     ///< δ̇ [m/s], > 0 while approaching
+  double bearing_radius = 0.0;       ///< R_i(φ_i) [m], worn
+  double journal_radius = 0.0;       ///< R_j(φ_j) [m], worn
+  double bearing_slope = 0.0;        ///< dR_i/dφ [m/rad]
+  double journal_slope = 0.0;        ///< dR_j/dφ [m/rad]
   double bearing_radius_rate = 0.0;  ///< [m/s] of R_i(φ_i) as the contact moves along the surface
   double journal_radius_rate = 0.0;  ///< [m/s] of R_j(φ_j)
-  double direction = 0.0;         ///< angle of n in the frame [rad]; only set for worn surfaces
+  double direction = 0.0;            ///< angle of n in the frame [rad]; only set for worn surfaces
 };
 
 /// The gap, its rate and the local radii. With the centres on top of each other n is taken along x.

@@ -108,7 +108,8 @@ int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, c
   };
   if (in_contact) {
     const bool opens = end.penetration < 0.0;
-    const bool may_open = may_rise(-start.penetration, -start.penetration_rate, -end.penetration, -end.penetration_rate);
+    const bool may_open =
+        may_rise(-start.penetration, -start.penetration_rate, -end.penetration, -end.penetration_rate);
     return opens || (may_open && start.penetration_rate < 0.0 && end.penetration_rate > 0.0) ? kParts : 0;
   }
   const bool closes = end.penetration > 0.0;
@@ -119,8 +120,8 @@ int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, c
   }
   // The line of centres changes smoothly even where the surfaces do not.
   const double least = surfaces.least_clearance();
-  if (!closes && !may_rise(start.eccentricity - least, start.eccentricity_rate, end.eccentricity - least,
-                           end.eccentricity_rate)) {
+  if (!closes &&
+      !may_rise(start.eccentricity - least, start.eccentricity_rate, end.eccentricity - least, end.eccentricity_rate)) {
     return 0;
   }
   const std::size_t n_regions =

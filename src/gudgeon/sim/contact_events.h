@@ -18,8 +18,8 @@ struct GapState {
   double eccentricity = 0.0;       ///< e [m]
   double eccentricity_rate = 0.0;  ///< ė [m/s]
   double direction_rate = 0.0;     ///< [rad/s] of the line of centres along the faster of the two surfaces
-  double penetration = 0.0;       ///< δ [m]
-  double penetration_rate = 0.0;  ///< δ̇ [m/s]
+  double penetration = 0.0;        ///< δ [m]
+  double penetration_rate = 0.0;   ///< δ̇ [m/s]
 };
 
 /// The first change of contact in a step.

@@ -89,7 +89,8 @@ class StudyRunner {
 void throw_if_singular(const Mechanism& mechanism) {
   if (!find_mobility(mechanism).singular_start) return;
   Diagnostics diagnostics;
-  diagnostics.error("E-MODEL-073", "", "the mechanism starts in a singular position, where its motion is not determined",
+  diagnostics.error("E-MODEL-073", "",
+                    "the mechanism starts in a singular position, where its motion is not determined",
                     {"start a little beside it: change a start angle or a driver's start"});
   throw ModelError(diagnostics);
 }

@@ -19,13 +19,13 @@ struct Progress {
   std::string_view stage;  ///< name of the stage under way
   int stage_index = 0;
   int n_stages = 1;
-  double fraction = 0.0;   ///< of the stage's time
+  double fraction = 0.0;  ///< of the stage's time
 };
 
 /// What a caller may hang into a run. Callbacks come from the thread that runs the case.
 struct RunHooks {
-  std::stop_token stop;                                   ///< stops at the next accepted step
-  std::function<void(const Progress&)> progress;          ///< about a hundred times a stage
+  std::stop_token stop;                                    ///< stops at the next accepted step
+  std::function<void(const Progress&)> progress;           ///< about a hundred times a stage
   std::function<void(const StageRecord&)> stage_finished;  ///< also for a stage that stopped or failed
 };
 

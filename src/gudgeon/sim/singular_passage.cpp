@@ -17,6 +17,8 @@ namespace {
 constexpr double kCloseness = 200.0;
 // From this one on, steps are kept to a share of the time left, so that the history is dense where it is needed.
 constexpr double kAheadCloseness = 20.0;
+// Nodes lie up to three times as far from the singular position as the newest, so at a ninth of its closeness.
+constexpr double kRememberedCloseness = 5.0;
 constexpr double kStepShare = 0.2;
 // Steps kept; enough to reach back over a stride at the tightest tolerances.
 constexpr std::size_t kMostEntries = 400;
@@ -26,32 +28,47 @@ constexpr double kTrustedEstimate = 100.0;
 
 }  // namespace
 
+SingularPassage::SingularPassage(std::size_t n_components, double tolerance)
+    : tolerance_(tolerance),
+      ring_(kMostEntries, {0.0, 0.0, std::vector<double>(n_components), std::vector<double>(n_components)}) {
+  nodes_.reserve(kNodes);
+}
+
 void SingularPassage::note(double time, const std::vector<double>& y, const std::vector<double>& slope,
                            double closeness) {
-  if (history_.size() == kMostEntries) history_.pop_front();
-  history_.push_back({time, 1.0 / std::sqrt(closeness), y, slope});
+  if (!(closeness >= kRememberedCloseness)) {
+    forget();
+    return;
+  }
+  newest_ = (newest_ + 1) % ring_.size();
+  n_entries_ = std::min(n_entries_ + 1, ring_.size());
+  Entry& entry = ring_[newest_];
+  entry.time = time;
+  entry.distance = 1.0 / std::sqrt(closeness);
+  entry.y = y;
+  entry.slope = slope;
 }
 
 // Time to the singular position if the distance goes on to shrink as over the last step; infinite if it does not.
 double SingularPassage::find_time_left() const {
   constexpr double kNever = std::numeric_limits<double>::infinity();
-  if (history_.size() < 2) return kNever;
-  const Entry& now = history_.back();
-  const Entry& before = history_[history_.size() - 2];
+  if (n_entries_ < 2) return kNever;
+  const Entry& now = entry(0);
+  const Entry& before = entry(1);
   if (now.distance >= before.distance) return kNever;
   return now.distance * (now.time - before.time) / (before.distance - now.distance);
 }
 
 double SingularPassage::find_longest_step() const {
-  if (history_.empty() || history_.back().distance * history_.back().distance * kAheadCloseness > 1.0) {
+  if (n_entries_ == 0 || entry(0).distance * entry(0).distance * kAheadCloseness > 1.0) {
     return std::numeric_limits<double>::infinity();
   }
   return kStepShare * find_time_left();
 }
 
 std::optional<double> SingularPassage::find_far_side() {
-  if (history_.size() < kNodes) return std::nullopt;
-  const Entry& now = history_.back();
+  if (n_entries_ < kNodes) return std::nullopt;
+  const Entry& now = entry(0);
   const double stride = 2.0 * find_time_left();
   if (now.distance * now.distance * kCloseness > 1.0 || !std::isfinite(stride)) return std::nullopt;
   choose_nodes(stride);
@@ -68,8 +85,8 @@ std::optional<double> SingularPassage::find_far_side() {
 // The newest step and three before it, each at least a third of the stride from the next.
 void SingularPassage::choose_nodes(double stride) {
   nodes_.clear();
-  for (auto entry = history_.rbegin(); entry != history_.rend() && nodes_.size() < kNodes; ++entry) {
-    if (nodes_.empty() || nodes_.back()->time - entry->time >= stride / 3.0) nodes_.push_back(&*entry);
+  for (std::size_t back = 0; back < n_entries_ && nodes_.size() < kNodes; ++back) {
+    if (nodes_.empty() || nodes_.back()->time - entry(back).time >= stride / 3.0) nodes_.push_back(&entry(back));
   }
 }
 
@@ -85,8 +102,8 @@ double SingularPassage::extrapolate(double time, std::size_t component, std::siz
   for (std::size_t order = 1; order < n; ++order) {
     for (std::size_t k = n - 1; k >= order; --k) {
       const bool same_node = order == 1 && k % 2 == 1;
-      difference[k] = same_node ? nodes_[k / 2]->slope[component]
-                                : (difference[k] - difference[k - 1]) / (at[k] - at[k - order]);
+      difference[k] =
+          same_node ? nodes_[k / 2]->slope[component] : (difference[k] - difference[k - 1]) / (at[k] - at[k - order]);
     }
   }
   double value = difference[n - 1];

@@ -5,24 +5,25 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <optional>
 #include <vector>
 
 namespace gudgeon {
 
-/// At a singular position (all bars of a loop in line) the closures lose a row: the motion goes through smoothly, but the
-/// equations beside it magnify every rounding error, the more the nearer a step ends. So the integrator does not walk up
-/// to it. It keeps a short history, and where closeness says that such a position lies ahead, the smooth motion is
-/// continued to as far behind it by the Hermite polynomial through values and slopes of four past steps.
+/// At a singular position (all bars of a loop in line) the closures lose a row: the motion goes through smoothly, but
+/// the equations beside it magnify every rounding error, the more the nearer a step ends. So the integrator does not
+/// walk up to it. It keeps a short history, and where closeness says that such a position lies ahead, the smooth motion
+/// is continued to as far behind it by the Hermite polynomial through values and slopes of four past steps.
 class SingularPassage {
  public:
-  explicit SingularPassage(double tolerance) : tolerance_(tolerance) {}
+  /// For states of that many components, continued to within `tolerance` of each.
+  SingularPassage(std::size_t n_components, double tolerance);
 
-  /// One accepted step; closeness as find_singular_closeness() gives it.
+  /// One accepted step; closeness as find_singular_closeness() gives it. Far from any singular position nothing is
+  /// kept.
   void note(double time, const std::vector<double>& y, const std::vector<double>& slope, double closeness);
   /// The motion is about to lose its smoothness: a contact changes.
-  void forget() { history_.clear(); }
+  void forget() { n_entries_ = 0; }
 
   /// Longest step [s] that still leaves enough of them before a singular position ahead to continue the motion from.
   [[nodiscard]] double find_longest_step() const;
@@ -36,17 +37,23 @@ class SingularPassage {
 
  private:
   struct Entry {
-    double time;
-    double distance;  // 1/√closeness: goes to zero linearly with time
+    double time = 0.0;
+    double distance = 0.0;  // 1/√closeness: goes to zero linearly with time
     std::vector<double> y;
     std::vector<double> slope;
   };
   [[nodiscard]] double find_time_left() const;
+  // The step noted `back` steps before the newest.
+  [[nodiscard]] const Entry& entry(std::size_t back) const {
+    return ring_[(newest_ + ring_.size() - back) % ring_.size()];
+  }
   void choose_nodes(double stride);
   [[nodiscard]] double extrapolate(double time, std::size_t component, std::size_t n_nodes) const;
 
   double tolerance_;
-  std::deque<Entry> history_;
+  std::vector<Entry> ring_;
+  std::size_t newest_ = 0;
+  std::size_t n_entries_ = 0;
   std::vector<const Entry*> nodes_;  // newest first
 };
 

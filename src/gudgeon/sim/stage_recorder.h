@@ -17,7 +17,8 @@ namespace gudgeon {
 
 class StageRecorder {
  public:
-  explicit StageRecorder(const System& system);
+  /// Room is kept for so many samples.
+  StageRecorder(const System& system, std::size_t n_samples);
 
   [[nodiscard]] const std::vector<Channel>& channels() const { return channels_; }
 
@@ -30,7 +31,8 @@ class StageRecorder {
   };
   Energies find_energies(const Workspace& workspace);
 
-  /// Appends one sample of all channels; initial_energy [J] is that of the stage's start, integrals those carried along.
+  /// Appends one sample of all channels; initial_energy [J] is that of the stage's start, integrals those carried
+  /// along.
   void sample(double time, Workspace& workspace, std::span<const ContactLatch> latches, double initial_energy,
               const double* integrals);
   /// Takes one accepted step into the statistics of contacts, efforts and accelerations.

@@ -24,7 +24,8 @@ class StepControl {
   /// Whether the attempted step keeps the tolerance; proposes the next length either way.
   bool accepts(const DormandPrince& stepper);
 
-  /// A contact has begun: its time scale is not that of free flight. Proposes the length that worked after the last onset.
+  /// A contact has begun: its time scale is not that of free flight. Proposes the length that worked after the last
+  /// onset.
   void note_onset();
   /// The length of an accepted step.
   void note_step(double h);

@@ -12,8 +12,8 @@
 namespace gudgeon {
 
 /// dh = k_d p ds for both surfaces of one joint; eqs. (26) to (32) of the paper. Pressure is uniform over the contact
-/// arc, p = F/(w L). Spread deposition lays the depth over the arc, so that the removed volume is ∫ k_d F ds whatever the
-/// number of regions; point deposition gives it to the one region of the contact point.
+/// arc, p = F/(w L). Spread deposition lays the depth over the arc, so that the removed volume is ∫ k_d F ds whatever
+/// the number of regions; point deposition gives it to the one region of the contact point.
 class WearDeposit {
  public:
   WearDeposit(const Contact& contact, Deposition deposition, int n_regions);

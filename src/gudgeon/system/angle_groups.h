@@ -11,10 +11,10 @@
 namespace gudgeon {
 
 struct AngleGroups {
-  std::vector<int> group;        ///< one a body
-  std::vector<double> offset;    ///< one a body: its angle − its group's angle [rad]
-  std::vector<int> ties;         ///< joints that tie bodies together
-  std::vector<int> redundant;    ///< joints whose angle condition the ties already imply
+  std::vector<int> group;      ///< one a body
+  std::vector<double> offset;  ///< one a body: its angle − its group's angle [rad]
+  std::vector<int> ties;       ///< joints that tie bodies together
+  std::vector<int> redundant;  ///< joints whose angle condition the ties already imply
   int n_groups = 0;
 };
 

@@ -81,13 +81,15 @@ class Assembler {
     for (const auto& [body, slide] : topology_.loose) {
       const Body& description = mechanism_.bodies[body];
       const double angle = workspace_.coordinates.angle[topology_.bodies[body].turn] + topology_.bodies[body].offset;
-      const Vec2 centre = description.start.position.value_or(Vec2{}) + make_rotation(angle) * description.center_of_mass;
+      const Vec2 centre =
+          description.start.position.value_or(Vec2{}) + make_rotation(angle) * description.center_of_mass;
       q_(counts.n_free_turns + slide) = centre.x;
       q_(counts.n_free_turns + slide + 1) = centre.y;
     }
     update();
     std::vector<double> guesses;
-    for (const BodyNode& node : topology_.bodies) guesses.push_back(workspace_.coordinates.angle[node.turn] + node.offset);
+    for (const BodyNode& node : topology_.bodies)
+      guesses.push_back(workspace_.coordinates.angle[node.turn] + node.offset);
     return guesses;
   }
 
@@ -126,9 +128,13 @@ class Assembler {
 
   [[noreturn]] void throw_open_loop() {
     Diagnostics diagnostics;
+    double widest = 0.0;
+    for (const Vec2 gap : workspace_.closure_gap) widest = std::max(widest, norm(gap));
+    // Gaps far below any length are named only where there are no others.
+    const double least = std::min(1e-9 * size_, 0.5 * widest);
     for (std::size_t c = 0; c < tables_.closures.size(); ++c) {
       const double gap = norm(workspace_.closure_gap[c]);
-      if (gap <= 1e-9 * size_) continue;
+      if (gap <= least) continue;
       const Joint& joint = mechanism_.joints[tables_.closures[c].joint];
       const auto [first, second] = anchors(joint.kind);
       diagnostics.error("E-MODEL-070", "joints." + joint.name,
@@ -167,9 +173,12 @@ class Assembler {
     for (const auto& [body, slide] : topology_.loose) {
       const Body& description = mechanism_.bodies[body];
       if (!description.start.velocity) continue;
-      const Vec2 arm = make_rotation(workspace_.coordinates.angle[topology_.bodies[body].turn] +
-                                     topology_.bodies[body].offset) * description.center_of_mass;
-      const Vec2 turning = description.start.angle_rate.value_or(0.0) * perp(arm);
+      const Vec2 arm =
+          make_rotation(workspace_.coordinates.angle[topology_.bodies[body].turn] + topology_.bodies[body].offset) *
+          description.center_of_mass;
+      // A driven body's rate is its driver's; a free one's is zero so far.
+      const double rate = workspace_.coordinates.angle_rate[topology_.bodies[body].turn];
+      const Vec2 turning = description.start.angle_rate.value_or(rate) * perp(arm);
       demand(counts.n_free_turns + slide, description.start.velocity->x + turning.x, "bodies." + description.name);
       demand(counts.n_free_turns + slide + 1, description.start.velocity->y + turning.y, "bodies." + description.name);
     }
@@ -191,16 +200,17 @@ class Assembler {
     v_ = solver.solve(right);
     const VectorXd rest = matrix * v_ - right;
     const double scale = right.cwiseAbs().maxCoeff();
-    if (rest.cwiseAbs().maxCoeff() > 1e-9 * scale) throw_rate_conflict(rest.tail(static_cast<Index>(rows.size())), origins);
+    if (rest.cwiseAbs().maxCoeff() > 1e-9 * scale)
+      throw_rate_conflict(rest.tail(static_cast<Index>(rows.size())), origins);
   }
 
   [[noreturn]] void throw_rate_conflict(const VectorXd& rest, const std::vector<std::string>& origins) {
     Diagnostics diagnostics;
     for (std::size_t k = 0; k < origins.size(); ++k) {
-      diagnostics.error("E-MODEL-071", origins[k],
-                        fmt::format("start rates conflict: '{}' is missed by {:.3g} (SI)", origins[k],
-                                    rest(static_cast<Index>(k))),
-                        {"give as many start rates as the mechanism has degrees of freedom, no more"});
+      diagnostics.error(
+          "E-MODEL-071", origins[k],
+          fmt::format("start rates conflict: '{}' is missed by {:.3g} (SI)", origins[k], rest(static_cast<Index>(k))),
+          {"give as many start rates as the mechanism has degrees of freedom, no more"});
     }
     if (origins.empty()) {
       diagnostics.error("E-MODEL-072", "", "the drivers ask for speeds that the joints do not permit here",
@@ -225,8 +235,8 @@ class Assembler {
         const Rotation along = make_rotation(poses[a].angle + prismatic.direction);
         const Vec2 link = find_world_point(second, poses) - find_inboard_point(b, poses);
         const double length = norm(link);
-        branches.push_back({joint.name, first.body, second.body,
-                            length > 0.0 ? cross({along.c, along.s}, link) / length : 0.0});
+        branches.push_back(
+            {joint.name, first.body, second.body, length > 0.0 ? cross({along.c, along.s}, link) / length : 0.0});
         continue;
       }
       const double lengths = norm(from_a) * norm(to_b);

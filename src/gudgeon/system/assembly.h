@@ -32,10 +32,10 @@ struct LoopBranch {
 };
 
 struct Assembly {
-  std::vector<BodyPose> poses;         ///< one a body, in the mechanism's order
-  std::vector<LoopBranch> branches;    ///< one a closed loop
-  double closure_residual = 0.0;       ///< [m] largest gap left in a joint
-  std::vector<double> angle_changes;   ///< [rad] a body: assembled minus guessed angle
+  std::vector<BodyPose> poses;        ///< one a body, in the mechanism's order
+  std::vector<LoopBranch> branches;   ///< one a closed loop
+  double closure_residual = 0.0;      ///< [m] largest gap left in a joint
+  std::vector<double> angle_changes;  ///< [rad] a body: assembled minus guessed angle
 };
 
 /// Places every body at the given time, clearance joints as if they were ideal. Bodies keep the angles and

@@ -9,7 +9,8 @@ namespace gudgeon {
 Eigen::MatrixXd find_closure_jacobian(const Tables& tables, const Workspace& workspace) {
   const Coordinates& at = workspace.coordinates;
   const CoordinateCounts& counts = tables.counts;
-  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(tables.closures.size()), counts.n_free());
+  Eigen::MatrixXd jacobian =
+      Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(tables.closures.size()), counts.n_free());
   for (std::size_t c = 0; c < tables.closures.size(); ++c) {
     const ClosureRows& rows = tables.closures[c];
     const auto row = static_cast<Eigen::Index>(2 * c);

@@ -36,8 +36,7 @@ ContactForces find_contact_forces(const Contact& contact, const RevoluteMotion& 
 
   // Along the normal.
   const double clearance = gap.bearing_radius - gap.journal_radius;
-  const double stiffness =
-      contact.stiffness_factor * std::sqrt(gap.bearing_radius * gap.journal_radius / clearance);
+  const double stiffness = contact.stiffness_factor * std::sqrt(gap.bearing_radius * gap.journal_radius / clearance);
   const NormalContact kinematics{gap.penetration, gap.penetration_rate,
                                  std::max(latch.onset_speed, contact.onset_speed_floor), stiffness};
   const NormalForce normal = std::visit([&](const auto& law) { return law(kinematics); }, contact.normal_force);
@@ -49,9 +48,10 @@ ContactForces find_contact_forces(const Contact& contact, const RevoluteMotion& 
   const Vec2 tangent = perp(gap.normal);
   const double journal_lever = gap.journal_radius - 0.5 * gap.penetration;
   const double bearing_lever = gap.eccentricity + journal_lever;
-  forces.slip_speed = dot(tangent, motion.velocity) + motion.journal_rate * journal_lever -
-                      motion.bearing_rate * bearing_lever;
-  const double friction_coefficient = std::visit([&](const auto& law) { return law(forces.slip_speed); }, contact.friction);
+  forces.slip_speed =
+      dot(tangent, motion.velocity) + motion.journal_rate * journal_lever - motion.bearing_rate * bearing_lever;
+  const double friction_coefficient =
+      std::visit([&](const auto& law) { return law(forces.slip_speed); }, contact.friction);
   forces.friction_force = friction_coefficient * normal.force;
   forces.friction_power = forces.friction_force * forces.slip_speed;
 

@@ -11,8 +11,8 @@ namespace gudgeon {
 
 /// A clearance joint compiled: its surfaces, its laws, and where its points and bodies are in the tables.
 struct Contact {
-  int joint = 0;         ///< index into Mechanism::joints
-  int bearing_row = 0;   ///< of the bearing's centre in the chain of contact points
+  int joint = 0;        ///< index into Mechanism::joints
+  int bearing_row = 0;  ///< of the bearing's centre in the chain of contact points
   int journal_row = 0;
   int bearing_turn = 0;
   int journal_turn = 0;
@@ -41,26 +41,25 @@ struct ContactLatch {
 /// Gap, forces and powers of one contact at one instant; all zero but the gap in free flight.
 struct ContactForces {
   RevoluteGap gap;
-  double slip_speed = 0.0;      ///< v [m/s] of the journal's surface relative to the bearing's, along perp(n)
-  double normal_force = 0.0;    ///< F [N] >= 0
-  double friction_force = 0.0;  ///< μ(v) F [N], of v's sign; acts on the journal along −perp(n)
-  double elastic_energy = 0.0;  ///< U [J]
-  Vec2 force_on_journal;        ///< [N] in the frame's axes, to be taken at the journal's centre
+  double slip_speed = 0.0;         ///< v [m/s] of the journal's surface relative to the bearing's, along perp(n)
+  double normal_force = 0.0;       ///< F [N] >= 0
+  double friction_force = 0.0;     ///< μ(v) F [N], of v's sign; acts on the journal along −perp(n)
+  double elastic_energy = 0.0;     ///< U [J]
+  Vec2 force_on_journal;           ///< [N] in the frame's axes, to be taken at the journal's centre
   double torque_on_bearing = 0.0;  ///< [N m] about the bearing's centre, beside −force_on_journal there
   double torque_on_journal = 0.0;  ///< [N m] about the journal's centre
-  double damping_power = 0.0;   ///< [W] lost along the normal
-  double friction_power = 0.0;  ///< [W] lost along the slip
-  double surface_power = 0.0;   ///< [W] done by the surfaces where their force is not the gradient of U
+  double damping_power = 0.0;      ///< [W] lost along the normal
+  double friction_power = 0.0;     ///< [W] lost along the slip
+  double surface_power = 0.0;      ///< [W] done by the surfaces where their force is not the gradient of U
 };
 
 /// Position and motion of the contact, from the motion of its two points and bodies.
-RevoluteMotion find_contact_motion(const Contact& contact, const struct Coordinates& coordinates,
-                                   Vec2 bearing_position, Vec2 bearing_velocity, Vec2 journal_position,
-                                   Vec2 journal_velocity) noexcept;
+RevoluteMotion find_contact_motion(const Contact& contact, const struct Coordinates& coordinates, Vec2 bearing_position,
+                                   Vec2 bearing_velocity, Vec2 journal_position, Vec2 journal_velocity) noexcept;
 
-/// The forces of a contact that is latched. Both bodies feel equal and opposite forces at one common point in the middle
-/// of the overlap, so momentum and angular momentum are kept. Stiffness K = factor sqrt(R_i R_j/(R_i − R_j)), eq. (35),
-/// with the local worn radii. Eqs. (6) to (16) of the paper.
+/// The forces of a contact that is latched. Both bodies feel equal and opposite forces at one common point in the
+/// middle of the overlap, so momentum and angular momentum are kept. Stiffness K = factor sqrt(R_i R_j/(R_i − R_j)),
+/// eq. (35), with the local worn radii. Eqs. (6) to (16) of the paper.
 ContactForces find_contact_forces(const Contact& contact, const RevoluteMotion& motion,
                                   const ContactLatch& latch) noexcept;
 

@@ -34,8 +34,8 @@ void eval_dynamics(const Tables& tables, double t, const double* q, const double
 /// Closure gaps φ and rates φ̇ of a state, in workspace.closure_gap and closure_rate; needs update_coordinates.
 void update_closures(const Tables& tables, Workspace& workspace) noexcept;
 
-/// Solves H dq + Jᵀ μ = 0, J dq = −residual with the factors of the last evaluation: the least correction, weighted with
-/// mass, that removes a residual given one a closure. correction has n_free entries.
+/// Solves H dq + Jᵀ μ = 0, J dq = −residual with the factors of the last evaluation: the least correction, weighted
+/// with mass, that removes a residual given one a closure. correction has n_free entries.
 void find_correction(const Tables& tables, std::span<const Vec2> residual, Workspace& workspace,
                      double* correction) noexcept;
 

@@ -39,11 +39,11 @@ class Elimination {
  private:
   int n_ = 0;
   std::size_t n_values_ = 0;
-  std::vector<std::int32_t> order_;    // index eliminated k-th
+  std::vector<std::int32_t> order_;     // index eliminated k-th
   std::vector<std::int32_t> position_;  // when an index is eliminated: the inverse of order_
-  std::vector<std::int32_t> begin_;    // first off-diagonal value of the k-th column; the diagonals come first of all
-  std::vector<std::int32_t> rows_;     // row index of each off-diagonal value
-  std::vector<std::int32_t> targets_;  // values updated by the k-th elimination, in order of use
+  std::vector<std::int32_t> begin_;     // first off-diagonal value of the k-th column; the diagonals come first of all
+  std::vector<std::int32_t> rows_;      // row index of each off-diagonal value
+  std::vector<std::int32_t> targets_;   // values updated by the k-th elimination, in order of use
 };
 
 }  // namespace gudgeon

@@ -42,7 +42,7 @@ void add_slide_pairs(const Tables& tables, Workspace& ws) noexcept {
     const double cq = at.slide[pair.slide_j];
     const double rate_i = at.angle_rate[pair.turn_i];
     const double rate_j = at.angle_rate[pair.turn_j];
-    const double along_q = cq * rate_j * rate_j;                      // −q̈ along R_j b, for constant coordinates' rates
+    const double along_q = cq * rate_j * rate_j;  // −q̈ along R_j b, for constant coordinates' rates
     const double across_q = 2.0 * at.slide_rate[pair.slide_j] * rate_j;  // q̈ across it
     ws.equations[pair.index_ti] += cp * (along_q * s - across_q * c);
     ws.equations[pair.index_si] += along_q * c + across_q * s;
@@ -146,8 +146,8 @@ void add_line_closure(const Tables& tables, const ClosureRows& rows, LoopMotion&
   }
   ws.values[rows.slot_normal] += cross(normal, loop.gap);
   const double turning = at.angle_rate[rows.line_turn];
-  const double bias = dot(normal, loop.bias) + 2.0 * turning * cross(normal, loop.rate) -
-                      turning * turning * dot(normal, loop.gap);
+  const double bias =
+      dot(normal, loop.bias) + 2.0 * turning * cross(normal, loop.rate) - turning * turning * dot(normal, loop.gap);
   loop = {{dot(normal, loop.gap), 0.0}, {dot(normal, loop.rate) + turning * cross(normal, loop.gap), 0.0}, {bias, 0.0}};
 }
 

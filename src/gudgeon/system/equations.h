@@ -10,8 +10,8 @@
 
 namespace gudgeon {
 
-/// Writes [H Jᵀ; J 0] into workspace.values and [Q; γ] into workspace.equations for workspace.coordinates, and all gaps,
-/// rates and contact forces on the way.
+/// Writes [H Jᵀ; J 0] into workspace.values and [Q; γ] into workspace.equations for workspace.coordinates, and all
+/// gaps, rates and contact forces on the way.
 void assemble_equations(const Tables& tables, std::span<const ContactLatch> latches, Feedback feedback,
                         Workspace& workspace) noexcept;
 

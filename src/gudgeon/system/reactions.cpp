@@ -41,7 +41,8 @@ void ReactionFinder::find_tie_steps() {
   std::vector<bool> reached(mechanism.bodies.size(), false);
   std::vector<int> roots{0};
   for (const Driver& driver : mechanism.drivers) {
-    if (const auto* angle = std::get_if<DrivenAngle>(&driver.target)) roots.push_back(find_body(mechanism, angle->body));
+    if (const auto* angle = std::get_if<DrivenAngle>(&driver.target))
+      roots.push_back(find_body(mechanism, angle->body));
   }
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) roots.push_back(static_cast<int>(b));
   for (const int root : roots) {

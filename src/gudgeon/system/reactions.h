@@ -43,7 +43,7 @@ class ReactionFinder {
   };
   struct TieStep {
     int joint;
-    int outer;         // body whose moment is known once its own outer ties are
+    int outer;  // body whose moment is known once its own outer ties are
     int inner;
     bool outer_is_second;
   };

@@ -5,6 +5,9 @@
 #include "gudgeon/system/redundancy.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "gudgeon/system/dynamics.h"
 
@@ -18,18 +21,24 @@ using Eigen::VectorXd;
 
 // Far enough for singular values to rise well above the rank threshold, near enough to stay on the same branch.
 constexpr double kNeighbourDistance = 1e-2;
+// Dependent rows look independent where the loops do not close; this is far below the rank threshold.
+constexpr double kClosedShare = 1e-11;
+// Directions tried before a dependence of rows counts as permanent. Where several loops are singular at once, the
+// position lies on several branches, some more than there are loops, and only on few of them all rows come free.
+constexpr int kProbes = 24;
 
 class RankProbe {
  public:
-  RankProbe(const Tables& tables) : tables_(tables), workspace_(tables), rest_(tables.counts.n_free(), 0.0) {}
+  explicit RankProbe(const Tables& tables) : tables_(tables), workspace_(tables), rest_(tables.counts.n_free(), 0.0) {}
 
   MatrixXd find_jacobian(double t, const VectorXd& q) {
     update(t, q);
     return find_closure_jacobian(tables_, workspace_);
   }
 
-  // A position near q that still closes: drivers moved on, free motion followed.
-  VectorXd find_neighbour(double t, const VectorXd& q) {
+  // A position near q that still closes: drivers moved on, free motion followed in one of many directions. None where
+  // the way back to closed loops was not found.
+  std::optional<VectorXd> find_neighbour(double t, const VectorXd& q, int direction_index) {
     const MatrixXd jacobian = find_jacobian(t, q);
     Eigen::FullPivLU<MatrixXd> lu(jacobian);
     lu.setThreshold(kRankThreshold);
@@ -38,14 +47,23 @@ class RankProbe {
       const MatrixXd kernel = lu.kernel();
       // Uneven weights, so that no symmetry of the mechanism is kept by accident.
       VectorXd weights(kernel.cols());
-      for (Index k = 0; k < weights.size(); ++k) weights(k) = 1.0 / (1.0 + 0.37 * static_cast<double>(k));
+      for (Index k = 0; k < weights.size(); ++k) {
+        const double uneven = 1.0 + 0.37 * static_cast<double>(k);
+        weights(k) = std::cos(direction_index * uneven) / uneven;
+      }
       const VectorXd direction = kernel * weights;
       neighbour += kNeighbourDistance * direction / direction.cwiseAbs().maxCoeff();
     }
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
+    solver.setThreshold(kRankThreshold);
     for (int iteration = 0; iteration < 20; ++iteration) {
-      const MatrixXd at = find_jacobian(t, neighbour);
-      neighbour -= at.completeOrthogonalDecomposition().solve(find_closure_gaps(workspace_));
+      solver.compute(find_jacobian(t, neighbour));
+      const VectorXd gaps = find_closure_gaps(workspace_);
+      if (gaps.isZero(0.0)) break;
+      neighbour -= solver.solve(gaps);
     }
+    const double size = find_jacobian(t, neighbour).rowwise().norm().maxCoeff();
+    if (!(find_closure_gaps(workspace_).norm() <= kClosedShare * size)) return std::nullopt;
     return neighbour;
   }
 
@@ -74,11 +92,20 @@ Redundancy find_redundancy(const Tables& tables, double t, const std::vector<dou
   const RowRank rank_here = find_row_rank(tables, probe.find_jacobian(t, here));
   if (rank_here.rank == tables.n_rows) return {rank_here.active, 0, false};
 
+  RowRank best = rank_here;
+  VectorXd best_at = here;
   const double later = t + find_small_time(tables);
-  const RowRank rank_beside = find_row_rank(tables, probe.find_jacobian(later, probe.find_neighbour(later, here)));
-  const bool singular = rank_beside.rank > rank_here.rank;
-  const RowRank& rank = singular ? rank_beside : rank_here;
-  return {rank.active, tables.n_rows - rank.rank, singular};
+  for (int probes = 0; probes < kProbes && best.rank < tables.n_rows; ++probes) {
+    // From here anew, and from the best so far, where independent loops come free one after the other.
+    const auto neighbour = probe.find_neighbour(later, probes % 2 == 0 ? here : best_at, probes / 2);
+    // Back where it began nothing is learned.
+    if (!neighbour || (later == t && (*neighbour - here).cwiseAbs().maxCoeff() < 0.1 * kNeighbourDistance)) continue;
+    const RowRank rank = find_row_rank(tables, probe.find_jacobian(later, *neighbour));
+    if (rank.rank <= best.rank) continue;
+    best = rank;
+    best_at = *neighbour;
+  }
+  return {best.active, tables.n_rows - best.rank, best.rank > rank_here.rank};
 }
 
 }  // namespace gudgeon

@@ -9,9 +9,9 @@
 namespace gudgeon {
 
 struct Redundancy {
-  ActiveRows active;           ///< independent rows, one entry a closure
-  int n_redundant_rows = 0;    ///< rows implied by others wherever the mechanism goes
-  bool singular = false;       ///< more rows depend on each other here than at neighbouring positions
+  ActiveRows active;         ///< independent rows, one entry a closure
+  int n_redundant_rows = 0;  ///< rows implied by others wherever the mechanism goes
+  bool singular = false;     ///< more rows depend on each other here than at neighbouring positions
 };
 
 /// Looks at the closures of all rows in the position q at time t and, where rows depend on each other, also beside it:

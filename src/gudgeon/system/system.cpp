@@ -47,7 +47,8 @@ State make_state(const System& system, const Assembly& assembly) {
     const Vec2 first_local = find_point(mechanism.bodies[first], prismatic.first.point)->position;
     const Vec2 second_local = find_point(mechanism.bodies[second], prismatic.second.point)->position;
     const Vec2 apart = assembly.poses[second].find_point(second_local) - assembly.poses[first].find_point(first_local);
-    const Vec2 velocity = find_velocity(assembly.poses[second], second_local) - find_velocity(assembly.poses[first], first_local);
+    const Vec2 velocity =
+        find_velocity(assembly.poses[second], second_local) - find_velocity(assembly.poses[first], first_local);
     const Rotation along = make_rotation(assembly.poses[first].angle + prismatic.direction);
     const Vec2 axis{along.c, along.s};
     state.q[counts.n_free_turns + s] = dot(apart, axis);

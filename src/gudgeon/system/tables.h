@@ -3,8 +3,8 @@
 //
 // A mechanism compiled to constants: what the right-hand side reads, and nothing else.
 //
-// Unknowns, rows and driven coordinates are numbered together: [free turns | free slides | closure rows | driven turns |
-// driven slides | one bin]. The bin takes what belongs to no equation (the frame), so that loops need no branches.
+// Unknowns, rows and driven coordinates are numbered together: [free turns | free slides | closure rows | driven turns
+// | driven slides | one bin]. The bin takes what belongs to no equation (the frame), so that loops need no branches.
 // Matrix entries are numbered slots: [those of the elimination | couplings with driven coordinates | one bin].
 #pragma once
 
@@ -19,7 +19,8 @@
 namespace gudgeon {
 
 /// Kinetic coupling of two turns i, j whose terms are constant vectors a, b on the same bodies:
-/// C = Σ m (R_i a)·(R_j b) = dot cos Δ − cross sin Δ,  S = Σ m (R_i a)×(R_j b) = cross cos Δ + dot sin Δ,  Δ = θ_j − θ_i.
+/// C = Σ m (R_i a)·(R_j b) = dot cos Δ − cross sin Δ,  S = Σ m (R_i a)×(R_j b) = cross cos Δ + dot sin Δ,  Δ = θ_j −
+/// θ_i.
 struct TurnPair {
   int turn_i;
   int turn_j;
@@ -81,11 +82,11 @@ struct ClosureRows {
   int first_term;
   int end_term;
   bool is_line;
-  bool active[2];    ///< a redundant row is measured but not enforced
-  int row[2];        ///< index of its equation (the bin when not active)
-  int line_turn;     ///< turn of the normal
-  Vec2 normal;       ///< in that turn's axes
-  int slot_normal;   ///< of (row, line_turn)
+  bool active[2];   ///< a redundant row is measured but not enforced
+  int row[2];       ///< index of its equation (the bin when not active)
+  int line_turn;    ///< turn of the normal
+  Vec2 normal;      ///< in that turn's axes
+  int slot_normal;  ///< of (row, line_turn)
 };
 
 /// Matrix entry of a driven coordinate with an unknown, for the driver's effort.
@@ -115,7 +116,7 @@ struct Tables {
   std::vector<double> usual_inverse_pivots;  ///< of the elimination at the start; none until they are known
 
   PointChain contact_points;
-  std::vector<int> chain_index_turn;   ///< equation of each chain row's turn
+  std::vector<int> chain_index_turn;  ///< equation of each chain row's turn
   std::vector<int> chain_index_slide;
   std::vector<Contact> contacts;
 

@@ -34,8 +34,7 @@ struct Edge {
 
 class TopologyBuilder {
  public:
-  explicit TopologyBuilder(const Mechanism& mechanism)
-      : mechanism_(mechanism), groups_(find_angle_groups(mechanism)) {
+  explicit TopologyBuilder(const Mechanism& mechanism) : mechanism_(mechanism), groups_(find_angle_groups(mechanism)) {
     topology_.bodies.resize(mechanism.bodies.size());
     topology_.joint_slide.assign(mechanism.joints.size(), -1);
     topology_.redundant_ties = groups_.redundant;

@@ -46,7 +46,7 @@ struct BodyNode {
   int parent = -1;      ///< body nearer to the frame; -1 for the frame and for bodies loose from it
   int joint = -1;       ///< the joint to the parent
   int depth = 0;
-  Path origin;          ///< path to the body's origin
+  Path origin;  ///< path to the body's origin
 };
 
 /// A joint that closes a loop.
@@ -75,8 +75,8 @@ struct Topology {
   std::vector<std::array<int, 2>> loose;  ///< one a loose body: body, and its first slide (x; y follows)
   std::vector<Closure> closures;
   std::vector<AngleTie> angle_ties;
-  std::vector<int> redundant_ties;        ///< joints whose angle condition others imply
-  std::vector<DrivenMotion> driven;       ///< turns, then slides, in coordinate order
+  std::vector<int> redundant_ties;   ///< joints whose angle condition others imply
+  std::vector<DrivenMotion> driven;  ///< turns, then slides, in coordinate order
 
   /// The path to a point given in a body's own axes.
   [[nodiscard]] Path find_path(int body, Vec2 local) const;

@@ -27,16 +27,16 @@ struct Workspace {
         contact_forces(tables.contacts.size()) {}
 
   Coordinates coordinates;
-  std::vector<double> values;          ///< matrix entries by slot; after a solve the factors
+  std::vector<double> values;  ///< matrix entries by slot; after a solve the factors
   std::vector<double> inverse_pivots;
-  std::vector<double> factors;         ///< kept aside while a solution is refined
+  std::vector<double> factors;  ///< kept aside while a solution is refined
   std::vector<double> solution;
-  std::vector<double> equations;       ///< right-hand side; after a solve accelerations, then −λ of each active row
-  std::vector<double> effort;          ///< torque or force of each driver [N m, N], positive along its coordinate
-  std::vector<Vec2> closure_gap;       ///< φ [m] of each closure, (line, 0) for a line
-  std::vector<Vec2> closure_rate;      ///< φ̇ [m/s]
+  std::vector<double> equations;   ///< right-hand side; after a solve accelerations, then −λ of each active row
+  std::vector<double> effort;      ///< torque or force of each driver [N m, N], positive along its coordinate
+  std::vector<Vec2> closure_gap;   ///< φ [m] of each closure, (line, 0) for a line
+  std::vector<Vec2> closure_rate;  ///< φ̇ [m/s]
   std::vector<PointChain::PointMotion> contact_motions;
-  std::vector<Vec2> contact_loads;     ///< force on each chain row [N]
+  std::vector<Vec2> contact_loads;  ///< force on each chain row [N]
   std::vector<ContactForces> contact_forces;
 };
 

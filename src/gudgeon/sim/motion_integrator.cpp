@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Attempts, contact changes, projection, strides.
+#include "gudgeon/sim/motion_integrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gudgeon {
+
+namespace {
+
+// Onset is located this well [s]; the integrator stops within it, before the surfaces touch.
+constexpr double kOnsetTime = 1e-10;
+// A step below this [s] means that the run cannot go on.
+constexpr double kSmallestStep = 1e-12;
+// Landing on a change takes one or two passes; bisection from the longest step to the shortest would take this many.
+constexpr int kMostLandings = 50;
+// Closure errors above this share of the absolute tolerance are projected away.
+constexpr double kProjectionShare = 0.1;
+// A step is at most this share of a cycle, so that no motion of the mechanism is jumped over.
+constexpr double kLargestStepShare = 0.02;
+// The first step is this share of a cycle; the error control finds the right one within a few.
+constexpr double kFirstStepShare = 1e-5;
+
+}  // namespace
+
+MotionIntegrator::MotionIntegrator(const System& system, const Study& study, double cycle_time)
+    : system_(system),
+      study_(study),
+      longest_step_(study.max_step > 0.0 ? std::min(study.max_step, kLargestStepShare * cycle_time)
+                                         : kLargestStepShare * cycle_time),
+      equations_(system, study.stabilization == Stabilization::baumgarte
+                             ? Feedback{study.baumgarte_alpha, study.baumgarte_beta}
+                             : Feedback{}),
+      stepper_(equations_.size()),
+      control_(study, static_cast<std::size_t>(system.tables.counts.n_free_turns), 2 * equations_.n_free(),
+               kFirstStepShare * cycle_time),
+      projection_(system.tables, kProjectionShare * study.absolute_tolerance),
+      passage_(equations_.size(), study.absolute_tolerance + study.relative_tolerance),
+      events_(system.tables),
+      scratch_(system.tables),
+      y_(equations_.size(), 0.0),
+      slope_(equations_.size(), 0.0),
+      gaps_(system.tables.contacts.size()),
+      end_gaps_(system.tables.contacts.size()),
+      samples_(DormandPrince::kStages, std::vector<ContactSample>(system.tables.contacts.size())) {}
+
+bool MotionIntegrator::begin(const State& start) {
+  std::ranges::copy(start.q, y_.begin());
+  std::ranges::copy(start.v, y_.begin() + static_cast<std::ptrdiff_t>(equations_.n_free()));
+  evaluate_again();
+  settle();
+  events_.find_gaps(equations_.workspace, gaps_);
+  return std::ranges::all_of(slope_, [](double s) { return std::isfinite(s); });
+}
+
+void MotionIntegrator::evaluate_again() {
+  equations_.eval(time_, y_.data(), slope_.data());
+  ++statistics_.evaluations;
+}
+
+bool MotionIntegrator::advance(double milestone) {
+  if (changing_contact_) turn_latch(*std::exchange(changing_contact_, std::nullopt));
+  if (pass_singular_position(milestone)) return true;
+  double h = std::min({control_.next_step(), longest_step_, passage_.find_longest_step()});
+  const double left = milestone - time_;
+  if (h >= left * (1.0 - 1e-12)) h = left;  // no sliver of a step before a milestone
+  while (!attempt_step(h)) {
+    ++statistics_.rejected_steps;
+    h = std::min(h, control_.next_step());
+    if (h < kSmallestStep) return false;
+  }
+  accept(milestone);
+  return true;
+}
+
+// Strides over a singular position that lies ahead. Where surfaces might meet, no step is taken unseen.
+bool MotionIntegrator::pass_singular_position(double milestone) {
+  if (!gaps_.empty()) return false;
+  const std::optional<double> far_side = passage_.find_far_side();
+  if (!far_side || *far_side >= milestone) return false;
+  passage_.interpolate(*far_side, y_);
+  time_ = *far_side;
+  last_step_ = 0.0;
+  evaluate_again();
+  settle();
+  passage_.forget();
+  return true;
+}
+
+// Tries h and, when a contact changes within it, the part up to the change.
+bool MotionIntegrator::attempt_step(double h) {
+  attempt(h);
+  if (!control_.accepts(stepper_)) return false;
+  events_.find_gaps(equations_.workspace, end_gaps_);
+  const auto change = events_.find_first_change(stepper_, equations_.latches, gaps_, end_gaps_, scratch_);
+  if (change) land_on_change(*change);
+  return true;
+}
+
+void MotionIntegrator::attempt(double h) {
+  stepper_.begin(time_, y_, slope_);
+  stepper_.attempt(h, [&](int stage, double t, const double* y, double* slope) {
+    equations_.eval(t, y, slope);
+    for (std::size_t k = 0; k < gaps_.size(); ++k) {
+      if (equations_.latches[k].in_contact) samples_[stage][k] = equations_.find_sample(k);
+    }
+  });
+  statistics_.evaluations += DormandPrince::kStages - 1;
+}
+
+// Steps again so as to end just on the near side of an onset, or just past a separation: within kOnsetTime of the
+// change and with the gap open in both cases. Newton's method on the step's length, kept inside a bracket.
+void MotionIntegrator::land_on_change(const ContactChange& change) {
+  const std::size_t k = change.contact;
+  const double sign = equations_.latches[k].in_contact ? -1.0 : 1.0;
+  double before = 0.0;
+  double after = stepper_.step();
+  double h = std::clamp(change.share, 0.0, 1.0) * after;
+  for (int pass = 0; pass < kMostLandings; ++pass) {
+    attempt(h);
+    events_.find_gaps(equations_.workspace, end_gaps_);
+    const double penetration = end_gaps_[k].penetration;
+    const double rate = end_gaps_[k].penetration_rate;
+    if (!std::isfinite(penetration)) {
+      after = h;
+      h = 0.5 * (before + after);
+      continue;
+    }
+    const double excess = penetration + 0.5 * kOnsetTime * std::abs(rate);
+    if (std::abs(excess) <= 0.5 * kOnsetTime * std::abs(rate) || after - before <= kSmallestStep) break;
+    (sign * excess > 0.0 ? after : before) = h;
+    const double newton = h - excess / rate;
+    h = newton > before && newton < after ? newton : 0.5 * (before + after);
+  }
+  changing_contact_ = k;
+}
+
+void MotionIntegrator::turn_latch(std::size_t k) {
+  ContactLatch& latch = equations_.latches[k];
+  passage_.forget();
+  if (latch.in_contact) {
+    latch = {};
+    for (auto& stage : samples_) stage[k] = {};
+    ++statistics_.separations;
+    return;
+  }
+  latch = {true, gaps_[k].penetration_rate};
+  control_.note_onset();
+  ++statistics_.onsets;
+}
+
+void MotionIntegrator::accept(double milestone) {
+  const double h = stepper_.step();
+  const double end_time = stepper_.start_time() + h;
+  ++statistics_.accepted_steps;
+  // Two contacts may change at one instant, with no time between.
+  if (h > 0.0) {
+    statistics_.smallest_step = statistics_.smallest_step > 0.0 ? std::min(statistics_.smallest_step, h) : h;
+  }
+  statistics_.largest_step = std::max(statistics_.largest_step, h);
+  control_.note_step(h);
+
+  time_ = std::abs(end_time - milestone) <= 1e-12 * milestone ? milestone : end_time;
+  last_step_ = h;
+  y_ = stepper_.end();
+  slope_ = stepper_.end_slope();
+  settle();
+  std::swap(gaps_, end_gaps_);
+  for (std::size_t k = 0; k < gaps_.size(); ++k) {
+    if (equations_.latches[k].in_contact) samples_.front()[k] = samples_.back()[k];
+  }
+  passage_.note(time_, y_, slope_, find_singular_closeness(system_.tables, equations_.workspace));
+}
+
+// Closes the loops of the accepted state.
+void MotionIntegrator::settle() {
+  statistics_.closure_residual = std::max(statistics_.closure_residual, find_largest(equations_.workspace.closure_gap));
+  if (study_.stabilization == Stabilization::baumgarte) return;
+  const int n_corrections = projection_.project(time_, y_, slope_, equations_);
+  statistics_.projections += n_corrections;
+  statistics_.evaluations += n_corrections;
+}
+
+void MotionIntegrator::interpolate(double time, std::vector<double>& y) const {
+  if (last_step_ == 0.0) {
+    passage_.interpolate(time, y);
+    return;
+  }
+  const double share = (time - stepper_.start_time()) / last_step_;
+  stepper_.interpolate(std::clamp(share, 0.0, 1.0), y.size(), y.data());
+}
+
+}  // namespace gudgeon

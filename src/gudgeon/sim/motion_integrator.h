@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From one accepted step to the next.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gudgeon/model/study.h"
+#include "gudgeon/results/run_record.h"
+#include "gudgeon/sim/closure_projection.h"
+#include "gudgeon/sim/contact_events.h"
+#include "gudgeon/sim/dormand_prince.h"
+#include "gudgeon/sim/motion_equations.h"
+#include "gudgeon/sim/singular_passage.h"
+#include "gudgeon/sim/step_control.h"
+
+namespace gudgeon {
+
+/// Advances one motion. Steps are controlled by their local error; a contact's change ends its step, an onset being
+/// located to 1e-10 s, just before the surfaces touch, and its speed latched; loop closures are projected when they
+/// need it. Allocates nothing after construction.
+class MotionIntegrator {
+ public:
+  MotionIntegrator(const System& system, const Study& study, double cycle_time);
+
+  /// Takes a state at time zero; false when it does not determine the accelerations.
+  bool begin(const State& start);
+
+  /// One accepted step, at most to the milestone, which is hit exactly. False when the step would fall below
+  /// kSmallestStep; the last accepted state then stays.
+  bool advance(double milestone);
+
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] const std::vector<double>& y() const { return y_; }
+  /// Equations, latches and workspace, evaluated at the end of the step.
+  [[nodiscard]] MotionEquations& equations() { return equations_; }
+  [[nodiscard]] const std::vector<GapState>& gaps() const { return gaps_; }
+  [[nodiscard]] const SolverStatistics& statistics() const { return statistics_; }
+
+  /// Length of the last step [s]; zero after a stride over a singular position, which has no stages.
+  [[nodiscard]] double last_step() const { return last_step_; }
+  /// What a contact was like at a stage of the last step; without force where it was open.
+  [[nodiscard]] const ContactSample& find_sample(int stage, std::size_t contact) const {
+    return samples_[stage][contact];
+  }
+  /// The contact that changes at the end of the step. Its latch is turned when the next step begins.
+  [[nodiscard]] std::optional<std::size_t> changing_contact() const { return changing_contact_; }
+  /// The state at a time within the last step.
+  void interpolate(double time, std::vector<double>& y) const;
+
+  /// Evaluates the last accepted state again, whatever was tried since.
+  void evaluate_again();
+
+ private:
+  bool pass_singular_position(double milestone);
+  bool attempt_step(double h);
+  void attempt(double h);
+  void land_on_change(const ContactChange& change);
+  void turn_latch(std::size_t contact);
+  void accept(double milestone);
+  void settle();
+
+  const System& system_;
+  const Study& study_;
+  double longest_step_;  // [s]
+  MotionEquations equations_;
+  DormandPrince stepper_;
+  StepControl control_;
+  ClosureProjection projection_;
+  SingularPassage passage_;
+  ContactEvents events_;
+  Workspace scratch_;
+  SolverStatistics statistics_;
+
+  double time_ = 0.0;
+  double last_step_ = 0.0;
+  std::vector<double> y_;
+  std::vector<double> slope_;
+  std::vector<GapState> gaps_;                       // at the last accepted state
+  std::vector<GapState> end_gaps_;                   // at the end of an attempt
+  std::vector<std::vector<ContactSample>> samples_;  // samples_[stage][contact]
+  std::optional<std::size_t> changing_contact_;
+};
+
+}  // namespace gudgeon
