@@ -95,8 +95,8 @@ TEST(ArcAccumulator, PlacesAnArcOfOneRegionInThatRegion) {
 TEST(ArcAccumulator, SplitsAnArcOverItsRegions) {
   constexpr double kRegion = kTurn / 8.0;
   ArcAccumulator accumulator(8);
-  accumulator.add_arc(0.0, kRegion, 2.0);              // half a region on each side of the seam
-  accumulator.add_arc(3.25 * kRegion, kRegion, 4.0);   // from 2.75 to 3.75
+  accumulator.add_arc(0.0, kRegion, 2.0);             // half a region on each side of the seam
+  accumulator.add_arc(3.25 * kRegion, kRegion, 4.0);  // from 2.75 to 3.75
   const std::vector<double> expected{1.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0, 1.0};
   const std::vector<double> amounts = accumulator.sum();
   for (std::size_t k = 0; k < 8; ++k) EXPECT_NEAR(amounts[k], expected[k], 1e-14) << k;  // rounding
@@ -112,9 +112,9 @@ TEST(ArcAccumulator, FullCircleReachesEveryRegionOnce) {
 
 TEST(ArcAccumulator, PutsAPointIntoItsRegionOnly) {
   constexpr double kRegion = kTurn / 10.0;
-  const std::vector<std::pair<double, std::size_t>> cases{{0.0, 0},           {0.99 * kRegion, 0}, {1.01 * kRegion, 1},
-                                                          {9.99 * kRegion, 9}, {-0.01, 9},          {kTurn + 0.01, 0},
-                                                          {-1e-20, 0}};
+  const std::vector<std::pair<double, std::size_t>> cases{
+      {0.0, 0},   {0.99 * kRegion, 0}, {1.01 * kRegion, 1}, {9.99 * kRegion, 9},
+      {-0.01, 9}, {kTurn + 0.01, 0},   {-1e-20, 0}};
   for (const auto& [angle, region] : cases) {
     ArcAccumulator accumulator(10);
     accumulator.add_point(angle, 2.5);

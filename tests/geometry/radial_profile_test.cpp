@@ -25,7 +25,9 @@ std::vector<double> make_random_depths(std::size_t n, unsigned seed) {
   return depths;
 }
 
-double find_center(std::size_t region, std::size_t n) { return kTurn * (static_cast<double>(region) + 0.5) / static_cast<double>(n); }
+double find_center(std::size_t region, std::size_t n) {
+  return kTurn * (static_cast<double>(region) + 0.5) / static_cast<double>(n);
+}
 
 TEST(RadialProfile, UnwornIsZeroEverywhere) {
   for (const RadialProfile& profile : {RadialProfile(), RadialProfile(std::vector<double>(8, 0.0))}) {
@@ -109,8 +111,9 @@ TEST(RadialProfile, HoldsTheVolumeOfItsRegions) {
     for (std::size_t k = 0; k < n; ++k) {
       // Simpson's rule is exact for the cubic between two knots.
       const double from = find_center(k, n);
-      integral += width / 6.0 * (profile.eval(from).depth + 4.0 * profile.eval(from + 0.5 * width).depth +
-                                 profile.eval(from + width).depth);
+      integral +=
+          width / 6.0 *
+          (profile.eval(from).depth + 4.0 * profile.eval(from + 0.5 * width).depth + profile.eval(from + width).depth);
     }
     const double expected = width * std::accumulate(depths.begin(), depths.end(), 0.0);
     EXPECT_NEAR(integral, expected, 1e-13 * expected) << n;  // sums of n rounded terms

@@ -33,8 +33,8 @@ RevoluteMotion make_motion(double t) {
   const double radius_rate = 1.5e-4 * std::cos(5.0 * t);
   const double direction = 0.4 - 3.0 * t;
   const Vec2 normal{std::cos(direction), std::sin(direction)};
-  return {radius * normal, radius_rate * normal + (-3.0 * radius) * perp(normal), 1.3 + 2.0 * t, -0.7 - 4.5 * t, 2.0,
-          -4.5};
+  return {
+      radius * normal, radius_rate * normal + (-3.0 * radius) * perp(normal), 1.3 + 2.0 * t, -0.7 - 4.5 * t, 2.0, -4.5};
 }
 
 TEST(RevoluteGap, UnwornIsEccentricityMinusClearance) {
@@ -54,7 +54,8 @@ TEST(RevoluteGap, UnwornIsEccentricityMinusClearance) {
 
 TEST(RevoluteGap, ConcentricIsFullClearanceAlongX) {
   for (const bool worn : {false, true}) {
-    const RevoluteGap gap = find_revolute_gap(make_surfaces(worn, worn), {{0.0, 0.0}, {-2.0, 3.0}, 0.3, 0.7, 5.0, -8.0});
+    const RevoluteGap gap =
+        find_revolute_gap(make_surfaces(worn, worn), {{0.0, 0.0}, {-2.0, 3.0}, 0.3, 0.7, 5.0, -8.0});
     EXPECT_EQ(gap.normal, (Vec2{1.0, 0.0}));
     EXPECT_NEAR(gap.penetration, -0.5e-3, 1e-17);
     EXPECT_EQ(gap.penetration_rate, -2.0);
@@ -91,13 +92,16 @@ TEST(RevoluteGap, FindsWearWhereItIsInEachBody) {
 
 TEST(RevoluteGap, RatesAreDerivatives) {
   constexpr double kStep = 1e-6;
-  for (const auto& [bearing_worn, journal_worn] : {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
+  for (const auto& [bearing_worn, journal_worn] :
+       {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
     const RevoluteSurfaces surfaces = make_surfaces(bearing_worn, journal_worn);
     for (double t = 0.0; t < 2.0; t += 0.037) {
       const RevoluteGap before = find_revolute_gap(surfaces, make_motion(t - kStep));
       const RevoluteGap at = find_revolute_gap(surfaces, make_motion(t));
       const RevoluteGap after = find_revolute_gap(surfaces, make_motion(t + kStep));
-      const auto difference = [&](double RevoluteGap::*member) { return (after.*member - before.*member) / (2.0 * kStep); };
+      const auto difference = [&](double RevoluteGap::*member) {
+        return (after.*member - before.*member) / (2.0 * kStep);
+      };
       // Lengths of 15 mm round to 2e-18 m, which is 2e-12 m/s over the step; rates are up to 1e-3 m/s.
       constexpr double kTolerance = 2e-11;
       EXPECT_NEAR(at.penetration_rate, difference(&RevoluteGap::penetration), kTolerance) << t;

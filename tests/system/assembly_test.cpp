@@ -27,8 +27,10 @@ void expect_nine_bar_start(const Mechanism& mechanism, const Assembly& assembly)
     EXPECT_NEAR(found.x, millimetres.x, 1e-4) << body << "." << point;  // printed to four digits of a millimetre
     EXPECT_NEAR(found.y, millimetres.y, 1e-4) << body << "." << point;
   };
-  for (const auto& [body, point] : {std::pair{"crank_1", "b"}, {"rod_2", "a"}}) expect_at(body, point, {22.3093, 39.0806});
-  for (const auto& [body, point] : {std::pair{"crank_4", "b"}, {"rod_3", "a"}}) expect_at(body, point, {487.3576, -75.7304});
+  for (const auto& [body, point] : {std::pair{"crank_1", "b"}, {"rod_2", "a"}})
+    expect_at(body, point, {22.3093, 39.0806});
+  for (const auto& [body, point] : {std::pair{"crank_4", "b"}, {"rod_3", "a"}})
+    expect_at(body, point, {487.3576, -75.7304});
   for (const auto& [body, point] : {std::pair{"rod_2", "b"}, {"rod_3", "b"}, {"panel_7", "D"}}) {
     expect_at(body, point, {187.1338, 320.3436});
   }

@@ -74,7 +74,9 @@ TEST_P(ClosuresOfMechanism, RatesAreThoseOfJacobianAndDrivers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllMechanisms, ClosuresOfMechanism, testing::ValuesIn(oracle::make_all_mechanisms()),
-                         [](const auto& mechanism) { return mechanism.param.name + "_" + std::to_string(mechanism.index); });
+                         [](const auto& mechanism) {
+                           return mechanism.param.name + "_" + std::to_string(mechanism.index);
+                         });
 
 TEST(RowRank, PrefersEarlierRows) {
   const Mechanism mechanism = oracle::make_parallelogram();

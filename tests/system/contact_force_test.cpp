@@ -60,8 +60,8 @@ RevoluteMotion make_pressed_motion(double t) {
   const double radius_rate = 1e-4 * std::cos(5.0 * t);
   const double direction = 0.4 - 3.0 * t;
   const Vec2 normal{std::cos(direction), std::sin(direction)};
-  return {radius * normal, radius_rate * normal + (-3.0 * radius) * perp(normal), 1.3 + 2.0 * t, -0.7 - 4.5 * t, 2.0,
-          -4.5};
+  return {
+      radius * normal, radius_rate * normal + (-3.0 * radius) * perp(normal), 1.3 + 2.0 * t, -0.7 - 4.5 * t, 2.0, -4.5};
 }
 
 TEST(ContactForce, HasTheStiffnessOfThePaper) {
@@ -79,8 +79,8 @@ TEST(ContactForce, IsNothingUnlessLatchedAndPressed) {
   const Contact contact = make_contact(0.5e-3);
   const RevoluteMotion pressed = make_pressed_motion(0.0);
   const RevoluteMotion apart{{0.4e-3, 0.0}, {1.0, 1.0}, 0.0, 0.0, 3.0, -3.0};
-  for (const ContactForces& forces : {find_contact_forces(contact, pressed, {false, 0.1}),
-                                      find_contact_forces(contact, apart, {true, 0.1})}) {
+  for (const ContactForces& forces :
+       {find_contact_forces(contact, pressed, {false, 0.1}), find_contact_forces(contact, apart, {true, 0.1})}) {
     EXPECT_EQ(forces.normal_force, 0.0);
     EXPECT_EQ(forces.friction_force, 0.0);
     EXPECT_EQ(forces.force_on_journal, (Vec2{}));
@@ -123,7 +123,9 @@ TEST(ContactForce, PressesBackAndRubsAgainstTheSlip) {
 TEST(ContactForce, ScalesDampingWithTheFloorAtLeast) {
   const Contact contact = make_contact(0.5e-3);
   const RevoluteMotion approaching{{0.6e-3, 0.0}, {5e-4, 0.0}};
-  const auto force = [&](double onset) { return find_contact_forces(contact, approaching, {true, onset}).normal_force; };
+  const auto force = [&](double onset) {
+    return find_contact_forces(contact, approaching, {true, onset}).normal_force;
+  };
   EXPECT_EQ(force(1e-9), force(1e-3));
   EXPECT_EQ(force(0.0), force(1e-3));
   EXPECT_LT(force(2e-3), force(1e-3));
@@ -154,7 +156,8 @@ TEST(ContactForce, PowerIsBalanced) {
       const RevoluteMotion motion = make_pressed_motion(t);
       const ContactForces forces = find_contact_forces(contact, motion, latch);
       const double power = dot(forces.force_on_journal, motion.velocity) +
-                           forces.torque_on_bearing * motion.bearing_rate + forces.torque_on_journal * motion.journal_rate;
+                           forces.torque_on_bearing * motion.bearing_rate +
+                           forces.torque_on_journal * motion.journal_rate;
       const double stored = (find_contact_forces(contact, make_pressed_motion(t + kStep), latch).elastic_energy -
                              find_contact_forces(contact, make_pressed_motion(t - kStep), latch).elastic_energy) /
                             (2.0 * kStep);

@@ -32,12 +32,20 @@ TEST(Mobility, NineBarCountsAsInThePaper) {
 }
 
 TEST(Mobility, IsWhatEachMechanismSaysOfItself) {
-  const std::vector<std::pair<Mechanism, int>> cases{
-      {oracle::make_pendulum_chain(5), 5},  {oracle::make_rigid_chain(), 2},      {oracle::make_slider_crank(), 1},
-      {oracle::make_four_bar(), 1},         {oracle::make_five_bar(), 2},         {oracle::make_parallelogram(), 1},
-      {oracle::make_n_four_bar(6), 1},      {oracle::make_six_bar_slide(), 1},    {oracle::make_two_slides(), 3},
-      {oracle::make_driven_slide(), 2},     {oracle::make_free_body_in_bearing(), 3}, {oracle::make_free_pair(), 6},
-      {oracle::make_slider_crank_clearance(), 2}, {make_ideal(oracle::make_nine_bar()), 0}};
+  const std::vector<std::pair<Mechanism, int>> cases{{oracle::make_pendulum_chain(5), 5},
+                                                     {oracle::make_rigid_chain(), 2},
+                                                     {oracle::make_slider_crank(), 1},
+                                                     {oracle::make_four_bar(), 1},
+                                                     {oracle::make_five_bar(), 2},
+                                                     {oracle::make_parallelogram(), 1},
+                                                     {oracle::make_n_four_bar(6), 1},
+                                                     {oracle::make_six_bar_slide(), 1},
+                                                     {oracle::make_two_slides(), 3},
+                                                     {oracle::make_driven_slide(), 2},
+                                                     {oracle::make_free_body_in_bearing(), 3},
+                                                     {oracle::make_free_pair(), 6},
+                                                     {oracle::make_slider_crank_clearance(), 2},
+                                                     {make_ideal(oracle::make_nine_bar()), 0}};
   for (const auto& [mechanism, degrees] : cases) {
     const Mobility mobility = find_mobility(mechanism);
     EXPECT_EQ(mobility.n_degrees_of_freedom, degrees) << mechanism.name;
@@ -63,8 +71,8 @@ TEST(Mobility, SecondGuideOnOneLineIsRedundantInAngleAndLine) {
   EXPECT_EQ(mobility.n_constraint_rows, 4);
   EXPECT_EQ(mobility.n_redundant_rows, 2);
   EXPECT_EQ(mobility.n_degrees_of_freedom, 1);
-  EXPECT_THAT(mobility.redundant_constraints, ElementsAre(AllOf(HasSubstr("'two'"), HasSubstr("angle")),
-                                                          AllOf(HasSubstr("'two'"), HasSubstr("line"))));
+  EXPECT_THAT(mobility.redundant_constraints,
+              ElementsAre(AllOf(HasSubstr("'two'"), HasSubstr("angle")), AllOf(HasSubstr("'two'"), HasSubstr("line"))));
 }
 
 TEST(Mobility, FourBarsInOneLineStartSingular) {

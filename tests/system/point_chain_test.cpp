@@ -52,7 +52,8 @@ TEST_P(ChainOfMechanism, PositionsAreTheSumsOfTheirPaths) {
       for (const Term& term : paths[k]) {
         const double c = std::cos(at.angle[term.turn]);
         const double s = std::sin(at.angle[term.turn]);
-        sum += at.slide[term.slide] * Vec2{c * term.vector.x - s * term.vector.y, s * term.vector.x + c * term.vector.y};
+        sum +=
+            at.slide[term.slide] * Vec2{c * term.vector.x - s * term.vector.y, s * term.vector.x + c * term.vector.y};
       }
       EXPECT_NEAR(norm(motions[ends[k]].position - sum), 0.0, 1e-14);  // sums of a few lengths of order one
     }
@@ -93,7 +94,9 @@ TEST_P(ChainOfMechanism, AddingAgainAddsNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllMechanisms, ChainOfMechanism, testing::ValuesIn(oracle::make_all_mechanisms()),
-                         [](const auto& mechanism) { return mechanism.param.name + "_" + std::to_string(mechanism.index); });
+                         [](const auto& mechanism) {
+                           return mechanism.param.name + "_" + std::to_string(mechanism.index);
+                         });
 
 TEST(PointChain, SharesWhatPathsHaveInCommon) {
   const CoordinateCounts counts{2, 0, 0, 0};

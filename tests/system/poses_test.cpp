@@ -68,7 +68,9 @@ TEST_P(PosesOfMechanism, VelocitiesAreDerivatives) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllMechanisms, PosesOfMechanism, testing::ValuesIn(oracle::make_all_mechanisms()),
-                         [](const auto& mechanism) { return mechanism.param.name + "_" + std::to_string(mechanism.index); });
+                         [](const auto& mechanism) {
+                           return mechanism.param.name + "_" + std::to_string(mechanism.index);
+                         });
 
 }  // namespace
 }  // namespace gudgeon

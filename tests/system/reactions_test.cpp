@@ -85,7 +85,8 @@ TEST(Reactions, BlockHeldOnAnInclineByItsDriver) {
   Mechanism mechanism = make_empty("incline", {0.0, -kGravity}, {{"foot", {0.0, 0.0}}});
   mechanism.bodies.push_back({"block", 2.0, 0.01, {0.05, 0.02}, {{"shoe", {0.0, 0.0}}}, {}});
   const double incline = 30.0 * oracle::kDegree;
-  mechanism.joints.push_back({"guide", oracle::make_slide({kFrameName, "foot"}, {"block", "shoe"}, incline, incline, 0.4)});
+  mechanism.joints.push_back(
+      {"guide", oracle::make_slide({kFrameName, "foot"}, {"block", "shoe"}, incline, incline, 0.4)});
   mechanism.drivers.push_back({"winch", DrivenSlide{"guide"}, 0.4, 0.25});
   const Started started(mechanism);
   const double weight = 2.0 * kGravity;
@@ -149,7 +150,8 @@ void expect_textbook(const Mechanism& mechanism) {
   }
   for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
     const std::string name = mechanism.name + "." + mechanism.joints[j].name;
-    EXPECT_NEAR(norm(started.finder.reactions()[j].force - solution.reactions[j].force), 0.0, kRelative * scale) << name;
+    EXPECT_NEAR(norm(started.finder.reactions()[j].force - solution.reactions[j].force), 0.0, kRelative * scale)
+        << name;
     EXPECT_NEAR(started.finder.reactions()[j].moment, solution.reactions[j].moment, kRelative * scale) << name;
   }
   for (int d = 0; d < started.system.tables.counts.n_driven(); ++d) {

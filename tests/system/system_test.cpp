@@ -49,7 +49,9 @@ TEST_P(SystemOfMechanism, StateClosesEveryLoop) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllMechanisms, SystemOfMechanism, testing::ValuesIn(oracle::make_all_mechanisms()),
-                         [](const auto& mechanism) { return mechanism.param.name + "_" + std::to_string(mechanism.index); });
+                         [](const auto& mechanism) {
+                           return mechanism.param.name + "_" + std::to_string(mechanism.index);
+                         });
 
 TEST(System, DropsRedundantRowsAndStillMeasuresThem) {
   const Mechanism mechanism = oracle::make_parallelogram();

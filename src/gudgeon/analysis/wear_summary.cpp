@@ -94,6 +94,8 @@ std::vector<JointWearSummary> summarize_wear(const RunRecord& run, std::size_t s
     summary.worn = find_worn_ranges(accumulated);
     summary.removed_volume = wear.removed_volume;
     summary.archard_volume = wear.archard_volume;
+    const double clearance = wear.bearing_radius - wear.journal_radius;
+    summary.clearance_share = clearance > 0.0 ? summary.added.depth / clearance : 0.0;
   }
   return summaries;
 }

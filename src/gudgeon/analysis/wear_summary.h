@@ -41,7 +41,12 @@ struct JointWearSummary {
   std::vector<AngleRange> worn;   ///< where the accumulated total exceeds kWornFraction of its largest
   double removed_volume = 0.0;    ///< [m^3] by this stage
   double archard_volume = 0.0;    ///< [m^3] ∫ k_d F ds of this stage
+  double clearance_share = 0.0;   ///< deepest added over the unworn radial clearance
 };
+
+/// A stage that deepens a joint by more than this share of its clearance has been magnified further than the motion on
+/// the surfaces it ran on can tell: the clearance itself is what that motion follows.
+inline constexpr double kFarthestExtrapolation = 0.2;
 
 /// The total depth added by the stages 0 … stage_index together, over the bearing's circumference; empty when none
 /// has the joint. NumericalError when the stages have different numbers of regions.

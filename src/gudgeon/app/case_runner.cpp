@@ -9,10 +9,12 @@
 #include <atomic>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "gudgeon/app/interruption.h"
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/explain.h"
+#include "gudgeon/io/run_reader.h"
 #include "gudgeon/io/run_writer.h"
 #include "gudgeon/sim/run_study.h"
 
@@ -39,8 +41,24 @@ void update_outcome(CaseRun& one, const StageRecord& stage) {
   one.message = fmt::format("stage {}: {}", stage.name, stage.message);
 }
 
-void run_stages(CaseRun& one, int index, bool overwrite, const std::stop_token& stop, ProgressDisplay& display) {
-  RunWriter writer(one.file, make_header(one), overwrite);
+/// The stages that the case's file holds as finished; FileError when it is not of this model and program.
+std::vector<StageRecord> read_finished_stages(const CaseRun& one, const RunRecord& header) {
+  if (!std::filesystem::exists(one.file)) return {};
+  RunRecord earlier = read_run(one.file);
+  if (earlier.explained != header.explained || earlier.program_version != header.program_version) {
+    throw FileError(
+        fmt::format("{} cannot be resumed: it was made from another model or by another version; "
+                    "--overwrite runs the case anew",
+                    one.file.string()));
+  }
+  std::erase_if(earlier.stages, [](const StageRecord& stage) { return stage.status != StageStatus::finished; });
+  return std::move(earlier.stages);
+}
+
+void run_stages(CaseRun& one, int index, Existing existing, const std::stop_token& stop, ProgressDisplay& display) {
+  RunRecord header = make_header(one);
+  if (existing == Existing::resume) header.stages = read_finished_stages(one, header);
+  RunWriter writer(one.file, header, existing != Existing::refuse);
   one.is_written = true;
   RunHooks hooks;
   hooks.stop = stop;
@@ -49,14 +67,14 @@ void run_stages(CaseRun& one, int index, bool overwrite, const std::stop_token& 
     writer.append(stage);
     update_outcome(one, stage);
   };
-  run_study(one.model.mechanism, one.model.study, hooks);
+  run_study(one.model.mechanism, one.model.study, hooks, std::move(header.stages));
 }
 
 /// Every failure of a case ends here: an exception may not leave its thread.
-void run_case(CaseRun& one, int index, bool overwrite, const std::stop_token& stop, ProgressDisplay& display) {
+void run_case(CaseRun& one, int index, Existing existing, const std::stop_token& stop, ProgressDisplay& display) {
   display.begin(index);
   try {
-    run_stages(one, index, overwrite, stop, display);
+    run_stages(one, index, existing, stop, display);
   } catch (const ModelError& error) {
     one.code = ExitCode::model;
     one.message = render(error.diagnostics(), one.model.source);
@@ -73,7 +91,7 @@ void run_case(CaseRun& one, int index, bool overwrite, const std::stop_token& st
 
 }  // namespace
 
-int run_cases(std::vector<CaseRun>& cases, int n_threads, bool overwrite, ProgressDisplay& display) {
+int run_cases(std::vector<CaseRun>& cases, int n_threads, Existing existing, ProgressDisplay& display) {
   const Interruption interruption;
   std::stop_source stop;
   std::atomic<int> next = 0;
@@ -85,7 +103,7 @@ int run_cases(std::vector<CaseRun>& cases, int n_threads, bool overwrite, Progre
         cases[i].code = ExitCode::interrupted;
         cases[i].message = "not started";
       } else {
-        run_case(cases[i], i, overwrite, stop.get_token(), display);
+        run_case(cases[i], i, existing, stop.get_token(), display);
       }
       n_done.fetch_add(1);
       n_done.notify_one();

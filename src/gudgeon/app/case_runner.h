@@ -24,8 +24,15 @@ struct CaseRun {
   std::string message;      ///< why it is not done; empty when it is
 };
 
+/// What happens to run files that are there already.
+enum class Existing {
+  refuse,   ///< nothing is computed
+  replace,  ///< the case is run anew
+  resume,   ///< the case goes on after the last stage that its file holds as finished
+};
+
 /// Runs all cases on that many threads. A case that fails leaves the others alone. Results do not depend on the
 /// number of threads. A first SIGINT or SIGTERM stops every case at its next step; returns that signal, or 0.
-int run_cases(std::vector<CaseRun>& cases, int n_threads, bool overwrite, ProgressDisplay& display);
+int run_cases(std::vector<CaseRun>& cases, int n_threads, Existing existing, ProgressDisplay& display);
 
 }  // namespace gudgeon

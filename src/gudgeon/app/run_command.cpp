@@ -32,6 +32,7 @@ struct RunOptions {
   bool all_cases = false;
   int n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   bool overwrite = false;
+  bool resume = false;
   bool quiet = false;
 };
 
@@ -106,7 +107,7 @@ void require_all_sound(const std::vector<CaseRun>& cases) {
 }
 
 /// Throws FileError when any output cannot be written, before anything is computed.
-void prepare_outputs(const std::vector<CaseRun>& cases, bool overwrite) {
+void prepare_outputs(const std::vector<CaseRun>& cases, Existing existing) {
   std::error_code failure;
   for (const CaseRun& one : cases) {
     const std::filesystem::path directory = one.file.parent_path();
@@ -117,14 +118,15 @@ void prepare_outputs(const std::vector<CaseRun>& cases, bool overwrite) {
   std::vector<std::string> troubles;
   for (const CaseRun& one : cases) {
     try {
-      check_target(one.file, overwrite);
+      check_target(one.file, existing != Existing::refuse);
     } catch (const FileError& error) {
       troubles.emplace_back(error.what());
     }
   }
   if (!troubles.empty()) {
-    throw FileError(
-        fmt::format("{}{}", fmt::join(troubles, "\n  "), overwrite ? "" : "\n  --overwrite replaces run files"));
+    throw FileError(fmt::format(
+        "{}{}", fmt::join(troubles, "\n  "),
+        existing == Existing::refuse ? "\n  --overwrite replaces run files, --resume goes on with them" : ""));
   }
   // A file that comes and goes proves that the run files can be written.
   const std::filesystem::path probe = find_partial(cases.front().file);
@@ -151,17 +153,19 @@ ExitCode find_exit_code(const std::vector<CaseRun>& cases, int signal) {
 }
 
 ExitCode run_run(const RunOptions& options) {
+  const Existing existing =
+      options.resume ? Existing::resume : (options.overwrite ? Existing::replace : Existing::refuse);
   std::vector<CaseRun> cases = read_cases(options);
   require_all_sound(cases);
   place_outputs(cases, options);
-  prepare_outputs(cases, options.overwrite);
+  prepare_outputs(cases, existing);
   if (!options.quiet) print_warnings(cases.front());
   // A closed pipe must not end a long computation; what it loses is only text.
   std::signal(SIGPIPE, SIG_IGN);
   std::vector<std::string> names;
   for (const CaseRun& one : cases) names.push_back(one.name);
   ProgressDisplay display(options.quiet ? ProgressStyle::silent : find_progress_style(), names);
-  const int signal = run_cases(cases, options.n_threads, options.overwrite, display);
+  const int signal = run_cases(cases, options.n_threads, existing, display);
   print_results(cases, options.quiet);
   return find_exit_code(cases, signal);
 }
@@ -182,7 +186,9 @@ void add_run_command(CLI::App& program, Action& action) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command->add_flag("--overwrite", options->overwrite, "Replace existing run files");
+  CLI::Option* overwrite = command->add_flag("--overwrite", options->overwrite, "Replace existing run files");
+  command->add_flag("--resume", options->resume, "Go on after the stages that existing run files hold as finished")
+      ->excludes(overwrite);
   command->add_flag("--quiet", options->quiet, "Print only the paths written and what went wrong");
   command->footer(
       "\nExamples:\n  gudgeon run press.toml -o runs/first\n  gudgeon run press.toml --all-cases --threads 4\n"

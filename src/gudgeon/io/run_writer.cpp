@@ -60,6 +60,7 @@ Hdf5Image make_first_image(const RunRecord& header) {
   const Hdf5Session session;
   Hdf5Image image;
   write_header(image.file(), header);
+  for (const StageRecord& stage : header.stages) add_stage(image.file(), stage);
   image.finish();
   return image;
 }

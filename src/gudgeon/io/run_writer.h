@@ -15,8 +15,8 @@ namespace gudgeon {
 /// finished. Several writers may work on several files from several threads.
 class RunWriter {
  public:
-  /// Creates the file with everything but the header's stages. FileError when it exists and may not be replaced, or
-  /// cannot be written.
+  /// Creates the file, with the stages that the header holds already. FileError when it exists and may not be replaced,
+  /// or cannot be written.
   RunWriter(std::filesystem::path file, const RunRecord& header, bool overwrite);
 
   /// Adds a stage; FileError when it cannot be written, and the file is as it was.

@@ -26,6 +26,13 @@ std::string render_range(const AngleRange& range) {
   return fmt::format("{:.0f}–{:.0f}°", range.begin, end);
 }
 
+std::string render_extrapolation(const std::string& stage, const JointWearSummary& wear) {
+  return fmt::format(
+      "  note: stage {} deepens joint {} by {:.0f} % of its clearance at once; its motion would have changed on the way.\n"
+      "        Lower study.magnification and take more study.wear_stages.\n",
+      stage, wear.joint, 100.0 * wear.clearance_share);
+}
+
 }  // namespace
 
 std::string render_ranges(std::span<const AngleRange> ranges) {
@@ -49,8 +56,10 @@ std::string render_wear(const RunRecord& run, bool color) {
                {"removed", Alignment::right},
                {"k_d F s", Alignment::right},
                {"worn angles"}});
+  std::string notes;
   for (std::size_t k = 0; k < run.stages.size(); ++k) {
     for (const JointWearSummary& wear : summarize_wear(run, k)) {
+      if (wear.clearance_share > kFarthestExtrapolation) notes += render_extrapolation(run.stages[k].name, wear);
       table.add_row({run.stages[k].name, wear.joint, format_engineering(wear.added.depth, "m"),
                      format_degrees(wear.added.angle), format_engineering(wear.mean_depth_added, "m"),
                      format_engineering(wear.accumulated.depth, "m"), format_degrees(wear.accumulated.angle),
@@ -62,7 +71,8 @@ std::string render_wear(const RunRecord& run, bool color) {
   return render_title("Wear (bearing and journal together, in the bearing's body, magnified)", color) +
          table.render(color) +
          fmt::format("  worn: deeper than {:.0f} % of the deepest so far; removed and k_d F s are of the stage alone\n",
-                     100.0 * kWornFraction);
+                     100.0 * kWornFraction) +
+         notes;
 }
 
 std::string render_contacts(const RunRecord& run, bool color) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/model/cycle_time.h"
@@ -38,10 +39,11 @@ void rebuild_surfaces(System& system, const StageRecord& stage) {
 
 class StudyRunner {
  public:
-  StudyRunner(const Mechanism& mechanism, const Study& study, const RunHooks& hooks)
+  StudyRunner(const Mechanism& mechanism, const Study& study, const RunHooks& hooks, std::vector<StageRecord> finished)
       : mechanism_(mechanism),
         study_(study),
         hooks_(hooks),
+        finished_(std::move(finished)),
         assembly_(assemble(mechanism)),
         cycle_time_(find_cycle_time(mechanism, study)),
         has_clearance_(std::ranges::any_of(
@@ -66,6 +68,10 @@ class StudyRunner {
   // Every stage starts from the assembled position, journals in the middle of their bearings.
   bool run_stage(const System& system, const std::string& name) {
     const int index = static_cast<int>(stages_.size());
+    if (stages_.size() < finished_.size() && finished_[stages_.size()].name == name) {
+      stages_.push_back(std::move(finished_[stages_.size()]));
+      return true;
+    }
     const auto report = [&](double fraction) {
       if (hooks_.progress) hooks_.progress({name, index, n_stages_, fraction});
     };
@@ -79,6 +85,7 @@ class StudyRunner {
   const Mechanism& mechanism_;
   const Study& study_;
   const RunHooks& hooks_;
+  std::vector<StageRecord> finished_;  // by an earlier run, in order
   Assembly assembly_;
   double cycle_time_;
   bool has_clearance_;
@@ -97,9 +104,10 @@ void throw_if_singular(const Mechanism& mechanism) {
 
 }  // namespace
 
-std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& study, const RunHooks& hooks) {
+std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& study, const RunHooks& hooks,
+                                   std::vector<StageRecord> finished) {
   throw_if_singular(mechanism);
-  return StudyRunner(mechanism, study, hooks).run();
+  return StudyRunner(mechanism, study, hooks, std::move(finished)).run();
 }
 
 }  // namespace gudgeon

@@ -30,8 +30,10 @@ struct RunHooks {
 };
 
 /// Runs every stage of the study. Each stage is handed to hooks.stage_finished as soon as it ends and is also
-/// returned. A stage that stops or fails ends the run; its record says when and why.
+/// returned. A stage that stops or fails ends the run; its record says when and why. Stages that an earlier run of the
+/// same study has finished are taken over instead of run: a stage depends on those before it only by their wear.
 /// Throws ModelError when the mechanism cannot be assembled.
-std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& study, const RunHooks& hooks = {});
+std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& study, const RunHooks& hooks = {},
+                                   std::vector<StageRecord> finished = {});
 
 }  // namespace gudgeon

@@ -219,30 +219,35 @@ class Assembler {
     throw ModelError(diagnostics);
   }
 
-  // At a joint that closes a loop, the two links run from the joints by which their bodies hang in the tree.
+  // The two links that meet where a loop closes run from the nearest joints inboard that lie elsewhere; on a guide the
+  // second link is measured against the guide's direction.
   std::vector<LoopBranch> find_branches(const std::vector<BodyPose>& poses) const {
     std::vector<LoopBranch> branches;
     for (const Closure& closure : topology_.closures) {
       const Joint& joint = mechanism_.joints[closure.joint];
       const auto [first, second] = anchors(joint.kind);
       const int a = find_body(mechanism_, first.body);
-      const int b = find_body(mechanism_, second.body);
-      const Vec2 at = find_world_point(first, poses);
-      const Vec2 from_a = at - find_inboard_point(a, poses);
-      Vec2 to_b = find_inboard_point(b, poses) - at;
+      const Vec2 at = find_world_point(second, poses);
+      Vec2 first_link = find_link(a, at, poses);
       if (closure.is_line) {
-        const auto& prismatic = std::get<Prismatic>(joint.kind);
-        const Rotation along = make_rotation(poses[a].angle + prismatic.direction);
-        const Vec2 link = find_world_point(second, poses) - find_inboard_point(b, poses);
-        const double length = norm(link);
-        branches.push_back(
-            {joint.name, first.body, second.body, length > 0.0 ? cross({along.c, along.s}, link) / length : 0.0});
-        continue;
+        const Rotation along = make_rotation(poses[a].angle + std::get<Prismatic>(joint.kind).direction);
+        first_link = {along.c, along.s};
       }
-      const double lengths = norm(from_a) * norm(to_b);
-      branches.push_back({joint.name, first.body, second.body, lengths > 0.0 ? cross(from_a, to_b) / lengths : 0.0});
+      const Vec2 second_link = find_link(find_body(mechanism_, second.body), at, poses);
+      const double lengths = norm(first_link) * norm(second_link);
+      const double sine = lengths > 0.0 ? cross(first_link, second_link) / lengths : 0.0;
+      branches.push_back({joint.name, first.body, second.body, closure.is_line ? sine : -sine});
     }
     return branches;
+  }
+
+  // From the nearest joint towards the frame that is not at the same place, to that place.
+  Vec2 find_link(int body, Vec2 at, const std::vector<BodyPose>& poses) const {
+    for (; topology_.bodies[body].joint >= 0; body = topology_.bodies[body].parent) {
+      const Vec2 link = at - find_inboard_point(body, poses);
+      if (norm(link) > kRankThreshold * size_) return link;
+    }
+    return {};
   }
 
   Vec2 find_world_point(const Anchor& anchor, const std::vector<BodyPose>& poses) const {

@@ -54,13 +54,15 @@ class RankProbe {
       const VectorXd direction = kernel * weights;
       neighbour += kNeighbourDistance * direction / direction.cwiseAbs().maxCoeff();
     }
-    Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
-    solver.setThreshold(kRankThreshold);
-    for (int iteration = 0; iteration < 20; ++iteration) {
-      solver.compute(find_jacobian(t, neighbour));
+    // Levenberg-Marquardt damped with the gap goes to the nearest branch, where Newton's steps near a singular position
+    // only halve the way back to it.
+    for (int iteration = 0; iteration < 60; ++iteration) {
+      const MatrixXd at = find_jacobian(t, neighbour);
       const VectorXd gaps = find_closure_gaps(workspace_);
       if (gaps.isZero(0.0)) break;
-      neighbour -= solver.solve(gaps);
+      MatrixXd normal = at.transpose() * at;
+      normal.diagonal().array() += gaps.norm() * at.rowwise().norm().maxCoeff();
+      neighbour -= normal.ldlt().solve(at.transpose() * gaps);
     }
     const double size = find_jacobian(t, neighbour).rowwise().norm().maxCoeff();
     if (!(find_closure_gaps(workspace_).norm() <= kClosedShare * size)) return std::nullopt;
