@@ -126,6 +126,34 @@ TEST(RunCommand, KillLeavesWhatWasFinishedReadable) {
   EXPECT_EQ(run_program(folder, {"info", file}).exit_code, 0);
 }
 
+TEST(RunCommand, ResumedRunHasTheSameBits) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> run{"run", find_slider_crank(), "--set", "study.cycles=40", "--quiet", "-o"};
+  const auto with = [&](std::initializer_list<std::string> more) {
+    std::vector<std::string> arguments = run;
+    arguments.insert(arguments.end(), more);
+    return arguments;
+  };
+  ASSERT_EQ(run_program(folder, with({"whole"})).exit_code, 0);
+  RunningProgram program(folder, with({"parts"}));
+  ASSERT_TRUE(wait_for(folder.path() / "parts" / "base.h5"));
+  program.send(SIGINT);
+  program.wait();
+  // Without being asked to, it neither goes on nor starts anew.
+  EXPECT_EQ(run_program(folder, with({"parts"})).exit_code, 5);
+  ASSERT_EQ(run_program(folder, with({"parts", "--resume"})).exit_code, 0);
+  for (const std::string name : {"whole", "parts"}) {
+    ASSERT_EQ(run_program(folder, {"export", name + "/base.h5", "-o", "csv_" + name}).exit_code, 0);
+  }
+  for (const std::string file : {"no_wear_channels.csv", "wear_1_channels.csv", "wear_1_wear.csv"}) {
+    EXPECT_TRUE(read_text(folder.path() / "csv_whole" / file) == read_text(folder.path() / "csv_parts" / file)) << file;
+  }
+  // Another model is another run.
+  const Outcome other = run_program(folder, {"run", find_slider_crank(), "--quiet", "-o", "parts", "--resume"});
+  EXPECT_EQ(other.exit_code, 5);
+  EXPECT_THAT(other.err, HasSubstr("cannot be resumed"));
+}
+
 TEST(InfoCommand, ForeignFileIsAFileError) {
   const TemporaryFolder folder;
   folder.write("foreign.h5", "not a run file");

@@ -56,9 +56,10 @@ std::vector<StageRecord> read_finished_stages(const CaseRun& one, const RunRecor
 }
 
 void run_stages(CaseRun& one, int index, Existing existing, const std::stop_token& stop, ProgressDisplay& display) {
-  RunRecord header = make_header(one);
-  if (existing == Existing::resume) header.stages = read_finished_stages(one, header);
-  RunWriter writer(one.file, header, existing != Existing::refuse);
+  const RunRecord header = make_header(one);
+  std::vector<StageRecord> finished;
+  if (existing == Existing::resume) finished = read_finished_stages(one, header);
+  RunWriter writer(one.file, header, existing != Existing::refuse, finished);
   one.is_written = true;
   RunHooks hooks;
   hooks.stop = stop;
@@ -67,7 +68,7 @@ void run_stages(CaseRun& one, int index, Existing existing, const std::stop_toke
     writer.append(stage);
     update_outcome(one, stage);
   };
-  run_study(one.model.mechanism, one.model.study, hooks, std::move(header.stages));
+  run_study(one.model.mechanism, one.model.study, hooks, std::move(finished));
 }
 
 /// Every failure of a case ends here: an exception may not leave its thread.

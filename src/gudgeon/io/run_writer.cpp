@@ -56,11 +56,11 @@ void add_stage(const Hdf5Handle& file, const StageRecord& stage) {
   if (stage.status == StageStatus::failed) write_failure(root, stage);
 }
 
-Hdf5Image make_first_image(const RunRecord& header) {
+Hdf5Image make_first_image(const RunRecord& header, std::span<const StageRecord> stages) {
   const Hdf5Session session;
   Hdf5Image image;
   write_header(image.file(), header);
-  for (const StageRecord& stage : header.stages) add_stage(image.file(), stage);
+  for (const StageRecord& stage : stages) add_stage(image.file(), stage);
   image.finish();
   return image;
 }
@@ -87,9 +87,11 @@ Hdf5Image make_next_image(const std::filesystem::path& file, const StageRecord& 
 
 }  // namespace
 
-RunWriter::RunWriter(std::filesystem::path file, const RunRecord& header, bool overwrite) : file_(std::move(file)) {
+RunWriter::RunWriter(std::filesystem::path file, const RunRecord& header, bool overwrite,
+                     std::span<const StageRecord> stages)
+    : file_(std::move(file)) {
   check_target(file_, overwrite);
-  write_whole(file_, make_first_image(header).bytes());
+  write_whole(file_, make_first_image(header, stages).bytes());
 }
 
 void RunWriter::append(const StageRecord& stage) { write_whole(file_, make_next_image(file_, stage).bytes()); }

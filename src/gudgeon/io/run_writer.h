@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "gudgeon/results/run_record.h"
 
@@ -15,9 +16,10 @@ namespace gudgeon {
 /// finished. Several writers may work on several files from several threads.
 class RunWriter {
  public:
-  /// Creates the file, with the stages that the header holds already. FileError when it exists and may not be replaced,
-  /// or cannot be written.
-  RunWriter(std::filesystem::path file, const RunRecord& header, bool overwrite);
+  /// Creates the file with everything but the header's own stages, and with the stages given. FileError when it exists
+  /// and may not be replaced, or cannot be written.
+  RunWriter(std::filesystem::path file, const RunRecord& header, bool overwrite,
+            std::span<const StageRecord> stages = {});
 
   /// Adds a stage; FileError when it cannot be written, and the file is as it was.
   void append(const StageRecord& stage);

@@ -103,6 +103,22 @@ void check_wear(CheckRules& rules) {
   }
 }
 
+// A stage's samples are held in memory until it ends.
+void check_memory(CheckRules& rules) {
+  constexpr double kMuchMemory = 4e9;  // [B] what a desktop machine can spare
+  const Mechanism& mechanism = rules.mechanism;
+  // Nine channels a moving body, up to ten a joint; drivers and energies hardly count.
+  const double n_channels =
+      9.0 * static_cast<double>(mechanism.bodies.size()) + 10.0 * static_cast<double>(mechanism.joints.size());
+  const double n_samples = static_cast<double>(rules.study.cycles) * rules.study.outputs_per_cycle;
+  const double memory = 8.0 * n_channels * n_samples;
+  if (memory <= kMuchMemory) return;
+  rules.diagnostics.warning("W-STUDY-010", "study.outputs_per_cycle",
+                            fmt::format("study: {} cycles of {} samples take about {:.0f} GB of memory a stage",
+                                        rules.study.cycles, rules.study.outputs_per_cycle, 1e-9 * memory),
+                            {"lower outputs_per_cycle or cycles; peaks are found at every step whatever is recorded"});
+}
+
 void check_published(CheckRules& rules) {
   static const std::vector<std::string> kMeasures{"peak", "wear_depth"};
   for (std::size_t i = 0; i < rules.study.published.size(); ++i) {
@@ -126,6 +142,7 @@ void check_study(CheckRules& rules) {
   check_values(rules);
   check_cycle(rules);
   check_wear(rules);
+  check_memory(rules);
   check_published(rules);
 }
 

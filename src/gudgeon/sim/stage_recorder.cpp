@@ -25,7 +25,7 @@ std::vector<std::string> select_names(const std::vector<Channel>& channels, cons
 
 }  // namespace
 
-StageRecorder::StageRecorder(const System& system, std::size_t n_samples)
+StageRecorder::StageRecorder(const System& system)
     : system_(&system), motion_(system), reaction_(system), step_statistics_({}), sample_statistics_({}) {
   add_body_channels();
   add_clearance_channels();
@@ -33,9 +33,7 @@ StageRecorder::StageRecorder(const System& system, std::size_t n_samples)
   add_driver_channels();
   add_energy_channels();
   row_.resize(channels_.size());
-  time_.reserve(n_samples);
   values_.resize(channels_.size());
-  for (auto& channel : values_) channel.reserve(n_samples);
   const auto n_watched = static_cast<std::size_t>(std::count(watched_.begin(), watched_.end(), true));
   watched_row_.resize(n_watched);
   sampled_row_.resize(channels_.size() - n_watched);

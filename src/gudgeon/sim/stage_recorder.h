@@ -17,8 +17,7 @@ namespace gudgeon {
 
 class StageRecorder {
  public:
-  /// Room is kept for so many samples.
-  StageRecorder(const System& system, std::size_t n_samples);
+  explicit StageRecorder(const System& system);
 
   [[nodiscard]] const std::vector<Channel>& channels() const { return channels_; }
 

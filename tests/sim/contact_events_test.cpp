@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Changes of contact within one step, against the closed forms of flights that are straight or parabolas.
+#include "gudgeon/sim/contact_events.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gudgeon/sim/motion_equations.h"
+#include "tests/sim/flying_ball.h"
+
+namespace gudgeon {
+namespace {
+
+// Dense output is exact for parabolas, so that times are good to the root-finder's 45 bits and some rounding.
+constexpr double kTimeTolerance = 1e-12;
+
+// One attempted step of a mechanism from its start, and what the events make of it.
+class Attempt {
+ public:
+  explicit Attempt(const Mechanism& mechanism)
+      : assembly(assemble(mechanism)), system(compile(mechanism, assembly)), equations(system, {}) {}
+
+  std::optional<ContactChange> find_change(double h) {
+    ContactEvents events(system.tables);
+    DormandPrince stepper(equations.size());
+    const State state = make_state(system, assembly);
+    std::vector<double> y(equations.size(), 0.0);
+    std::vector<double> slope(equations.size());
+    std::ranges::copy(state.q, y.begin());
+    std::ranges::copy(state.v, y.begin() + static_cast<std::ptrdiff_t>(equations.n_free()));
+    start.resize(system.tables.contacts.size());
+    end.resize(start.size());
+    equations.eval(0.0, y.data(), slope.data());
+    events.find_gaps(equations.workspace, start);
+    stepper.begin(0.0, y, slope);
+    stepper.attempt(h, [&](int, double t, const double* at, double* dydt) { equations.eval(t, at, dydt); });
+    events.find_gaps(equations.workspace, end);
+    Workspace scratch(system.tables);
+    return events.find_first_change(stepper, equations.latches, start, end, scratch);
+  }
+
+  Assembly assembly;
+  System system;
+  MotionEquations equations;
+  std::vector<GapState> start;
+  std::vector<GapState> end;
+};
+
+// Straight up, against gravity: the gap is widest when the ball is highest, and the centre then at `height`.
+Attempt throw_up(double height, double gravity = 4.0) {
+  return Attempt(make_balls({{{0.0, 0.1}, {0.0, std::sqrt(2.0 * gravity * (height - 0.1))}}}, {0.0, -gravity}, kNoStiffness));
+}
+
+TEST(ContactEvents, GapsAreThoseOfTheSurfaces) {
+  Attempt attempt(make_balls({{{0.12, -0.16}, {0.9, 0.2}, 3.0}}, {}, kNoStiffness));
+  attempt.find_change(1e-3);
+  const GapState& gap = attempt.start[0];
+  EXPECT_NEAR(gap.eccentricity, 0.2, 1e-15);  // roundings of numbers below one
+  EXPECT_NEAR(gap.eccentricity_rate, 0.6 * 0.9 - 0.8 * 0.2, 1e-15);
+  EXPECT_NEAR(gap.penetration, 0.2 - kBallClearance, 1e-15);
+  EXPECT_NEAR(gap.penetration_rate, gap.eccentricity_rate, 1e-15);
+  // The line of centres turns at (e × ė)/e² = 4.2 rad/s against the bearing, 1.2 rad/s against the ball.
+  EXPECT_NEAR(gap.direction_rate, (0.12 * 0.2 + 0.16 * 0.9) / 0.04, 1e-14);
+}
+
+TEST(ContactEvents, OnsetOfObliqueFlight) {
+  const Vec2 x{0.1, -0.2};
+  const Vec2 v{1.3, 0.7};
+  const double half = dot(x, v) / dot(v, v);
+  const double onset = -half + std::sqrt(half * half - (dot(x, x) - 0.25) / dot(v, v));
+  for (const double h : {1.001 * onset, 2.0 * onset, 0.6}) {
+    const auto change = Attempt(make_balls({{x, v}}, {}, kNoStiffness)).find_change(h);
+    ASSERT_TRUE(change) << h;
+    EXPECT_EQ(change->contact, 0U);
+    EXPECT_NEAR(change->share * h, onset, kTimeTolerance);
+  }
+  EXPECT_FALSE(Attempt(make_balls({{x, v}}, {}, kNoStiffness)).find_change(0.999 * onset));
+}
+
+TEST(ContactEvents, TouchThatIsOverWithinTheStepIsSeen) {
+  for (const double depth : {1e-2, 1e-5, 1e-9}) {
+    Attempt attempt = throw_up(kBallClearance + depth);
+    const double top = std::sqrt(2.0 * 4.0 * (0.4 + depth)) / 4.0;
+    for (const double h : {1.3 * top, 1.9 * top}) {
+      const auto change = attempt.find_change(h);
+      ASSERT_LT(attempt.end[0].penetration, 0.0) << "left again";
+      ASSERT_TRUE(change) << depth;
+      // Where the gap is flat, rounding of the gap (1e-16 m) is felt as 1e-16/ė.
+      EXPECT_NEAR(change->share * h, top - std::sqrt(depth / 2.0), kTimeTolerance + 1e-15 / std::sqrt(8.0 * depth));
+    }
+  }
+}
+
+TEST(ContactEvents, ComingNearIsNotTouching) {
+  for (const double distance : {1e-2, 1e-6, 1e-12}) {
+    Attempt attempt = throw_up(kBallClearance - distance);
+    const double top = std::sqrt(2.0 * 4.0 * (0.4 - distance)) / 4.0;
+    for (const double h : {0.9 * top, top, 1.9 * top}) EXPECT_FALSE(attempt.find_change(h)) << distance;
+  }
+}
+
+TEST(ContactEvents, Separation) {
+  Attempt attempt(make_balls({{{0.51, 0.0}, {-0.4, 0.0}}}, {}, kNoStiffness));
+  attempt.equations.latches[0] = {true, 0.4};
+  for (const double h : {0.026, 0.1}) {
+    const auto change = attempt.find_change(h);
+    ASSERT_TRUE(change);
+    EXPECT_NEAR(change->share * h, 0.01 / 0.4, kTimeTolerance);
+  }
+  EXPECT_FALSE(attempt.find_change(0.024)) << "still in contact";
+}
+
+TEST(ContactEvents, SeparationThatIsOverWithinTheStepIsSeen) {
+  // Falls from 0.51 away from the wall, pulled back by 8 m/s²: e = 0.51 − v t + 4 t², at least 0.51 − v²/16.
+  const auto make = [](double lowest) {
+    const double v = std::sqrt(16.0 * (0.51 - lowest));
+    Attempt attempt(make_balls({{{0.51, 0.0}, {-v, 0.0}}}, {8.0, 0.0}, kNoStiffness));
+    attempt.equations.latches[0] = {true, v};
+    return std::pair{std::move(attempt), v};
+  };
+  auto [opens, v] = make(0.49);
+  const double h = 1.9 * v / 8.0;
+  const auto change = opens.find_change(h);
+  ASSERT_GT(opens.end[0].penetration, 0.0) << "touches again";
+  ASSERT_TRUE(change);
+  EXPECT_NEAR(change->share * h, (v - std::sqrt(v * v - 16.0 * 0.01)) / 8.0, kTimeTolerance);
+  auto [stays, speed] = make(0.5 + 1e-9);
+  EXPECT_FALSE(stays.find_change(1.9 * speed / 8.0));
+}
+
+TEST(ContactEvents, TheEarlierOfTwoWins) {
+  const BallFlight late{{0.0, 0.0}, {1.0, 0.0}};
+  const BallFlight early{{0.0, 0.2}, {0.0, 1.0}};
+  for (const bool early_first : {true, false}) {
+    const std::vector<BallFlight> flights = early_first ? std::vector{early, late} : std::vector{late, early};
+    const auto change = Attempt(make_balls(flights, {}, kNoStiffness)).find_change(0.8);
+    ASSERT_TRUE(change);
+    EXPECT_EQ(change->contact, early_first ? 0U : 1U);
+    EXPECT_NEAR(change->share * 0.8, 0.3, kTimeTolerance);
+  }
+}
+
+TEST(ContactEvents, SeparationOfOneBeforeOnsetOfTheOther) {
+  Attempt attempt(make_balls({{{0.0, 0.0}, {1.0, 0.0}}, {{0.0, 0.51}, {0.0, -0.1}}}, {}, kNoStiffness));
+  attempt.equations.latches[1] = {true, 0.1};
+  const auto change = attempt.find_change(0.8);
+  ASSERT_TRUE(change);
+  EXPECT_EQ(change->contact, 1U);
+  EXPECT_NEAR(change->share * 0.8, 0.1, kTimeTolerance);
+}
+
+// A ball worn all around but for one region, which spins without moving: the ridge sweeps over the bearing.
+class WornBall : public testing::Test {
+ protected:
+  static constexpr std::size_t kRegions = 1000;
+  static constexpr double kDepth = 0.01;
+  static constexpr double kSpin = -2.0;  // [rad/s]: the line of centres, along x, passes the ball's regions in order
+
+  static RadialProfile make_ridge(std::size_t region) {
+    std::vector<double> depths(kRegions, kDepth);
+    depths[region] = 0.0;
+    return RadialProfile(depths);
+  }
+
+  // The centre stands at the clearance and this much of the wear; the ridge's top is at a third of it.
+  static Attempt make_attempt(double share, std::size_t region) {
+    Attempt attempt(make_balls({{{kBallClearance + share * kDepth, 0.0}, {}, kSpin}}, {}, kNoStiffness));
+    set_surfaces(attempt.system, 0, RadialProfile{}, make_ridge(region));
+    return attempt;
+  }
+};
+
+TEST_F(WornBall, RidgePassedWithinTheStepIsSeen) {
+  // Steps of a quarter turn and more; eighths of the step would see nothing of a ridge two regions wide.
+  for (const std::size_t region : {53U, 97U, 171U}) {
+    Attempt attempt = make_attempt(0.5, region);
+    const double h = 0.25 * 2.0 * std::numbers::pi / -kSpin;
+    const auto change = attempt.find_change(h);
+    ASSERT_LT(attempt.start[0].penetration, 0.0);
+    ASSERT_LT(attempt.end[0].penetration, 0.0);
+    ASSERT_TRUE(change) << region;
+    // There the depth is what the centre has moved out: the ridge's near flank.
+    const double angle = -kSpin * change->share * h;
+    const RadialProfile::Value at = make_ridge(region).eval(angle);
+    EXPECT_NEAR(at.depth, 0.5 * kDepth, 1e-12);
+    EXPECT_LT(at.slope, 0.0) << "entered, not left";
+    EXPECT_NEAR(angle * kRegions / (2.0 * std::numbers::pi), static_cast<double>(region) + 0.5, 1.5);
+  }
+}
+
+TEST_F(WornBall, RidgeThatIsTooLowIsNotTouched) {
+  Attempt attempt = make_attempt(0.33, 97);
+  EXPECT_FALSE(attempt.find_change(0.25 * 2.0 * std::numbers::pi / -kSpin));
+}
+
+TEST_F(WornBall, FirstOfTwoRidgesWins) {
+  std::vector<double> depths(kRegions, kDepth);
+  depths[61] = depths[62] = depths[150] = 0.0;
+  Attempt attempt = make_attempt(0.5, 0);
+  set_surfaces(attempt.system, 0, RadialProfile{}, RadialProfile(depths));
+  const auto change = attempt.find_change(0.6);
+  ASSERT_TRUE(change);
+  EXPECT_NEAR(change->share * 1.2 * kRegions / (2.0 * std::numbers::pi), 61.0, 1.0);
+}
+
+}  // namespace
+}  // namespace gudgeon

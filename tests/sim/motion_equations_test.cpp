@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The integrator's vector against the workspace it is made of.
+#include "gudgeon/sim/motion_equations.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gudgeon/system/body_motion.h"
+#include "tests/oracle/mechanisms.h"
+
+namespace gudgeon {
+namespace {
+
+// A mechanism at its start, its journals pressed into their bearings and latched.
+struct Evaluated {
+  explicit Evaluated(const Mechanism& mechanism)
+      : assembly(assemble(mechanism)), system(compile(mechanism, assembly)), equations(system, {}) {
+    const State state = make_state(system, assembly);
+    y.assign(equations.size(), 0.0);
+    slope.assign(equations.size(), std::nan(""));
+    std::ranges::copy(state.q, y.begin());
+    std::ranges::copy(state.v, y.begin() + static_cast<std::ptrdiff_t>(equations.n_free()));
+    // Clearances of next to nothing: a small move of every coordinate is then a penetration.
+    for (Contact& contact : system.tables.contacts) {
+      contact.surfaces.journal_radius = contact.surfaces.bearing_radius - 1e-6;
+    }
+    for (ContactLatch& latch : equations.latches) latch = {true, 0.05};
+    for (std::size_t i = 0; i < equations.n_free(); ++i) y[i] += 1e-4 * (1.0 + static_cast<double>(i % 3));
+    eval();
+  }
+
+  void eval() { equations.eval(0.0, y.data(), slope.data()); }
+  [[nodiscard]] double power(EnergyIntegral integral) const { return slope[2 * equations.n_free() + integral]; }
+  // Kinetic, potential and elastic energy.
+  double find_energy() {
+    BodyMotionFinder motion(system);
+    return find_kinetic_energy(system.mechanism, motion.update(equations.workspace)) +
+           find_potential_energy(system.tables, equations.workspace.coordinates) +
+           find_elastic_energy(equations.workspace);
+  }
+
+  Assembly assembly;
+  System system;
+  MotionEquations equations;
+  std::vector<double> y;
+  std::vector<double> slope;
+};
+
+TEST(MotionEquations, CoordinatesRatesAndIntegrals) {
+  const Evaluated press(oracle::make_nine_bar());
+  EXPECT_EQ(press.equations.n_free(), 5U) << "five angles";
+  EXPECT_EQ(press.equations.size(), 10U + kEnergyIntegrals);
+  EXPECT_EQ(press.equations.latches.size(), 2U);
+  EXPECT_EQ(Evaluated(oracle::make_free_pair()).equations.n_free(), 6U);
+  EXPECT_EQ(Evaluated(make_ideal(oracle::make_nine_bar())).equations.latches.size(), 0U);
+}
+
+TEST(MotionEquations, SlopesAreRatesAccelerationsAndPowers) {
+  for (const Mechanism& mechanism : oracle::make_all_mechanisms()) {
+    const Evaluated at(mechanism);
+    const Workspace& ws = at.equations.workspace;
+    const std::size_t n = at.equations.n_free();
+    for (std::size_t i = 0; i < n; ++i) {
+      EXPECT_EQ(at.slope[i], at.y[n + i]) << mechanism.name;
+      EXPECT_EQ(at.slope[n + i], ws.equations[i]) << mechanism.name;
+    }
+    double driver = 0.0;
+    for (std::size_t d = 0; d < ws.effort.size(); ++d) driver += ws.effort[d] * at.system.tables.driven[d].speed;
+    double damping = 0.0;
+    double friction = 0.0;
+    double surface = 0.0;
+    for (const ContactForces& forces : ws.contact_forces) {
+      EXPECT_GT(forces.normal_force, 0.0) << mechanism.name << ": the test wants contact";
+      damping += forces.damping_power;
+      friction += forces.friction_power;
+      surface += forces.surface_power;
+    }
+    EXPECT_EQ(at.power(kDriverWork), driver) << mechanism.name;
+    EXPECT_EQ(at.power(kContactDamping), damping) << mechanism.name;
+    EXPECT_EQ(at.power(kFrictionLoss), friction) << mechanism.name;
+    EXPECT_EQ(at.power(kSurfaceWork), surface) << mechanism.name;
+    EXPECT_EQ(at.power(kExchanged), std::abs(driver) + std::abs(damping) + friction) << mechanism.name;
+  }
+}
+
+// Along the flow the energy changes by the powers, worn surfaces and all.
+TEST(MotionEquations, PowersBalanceTheChangeOfEnergy) {
+  for (const Mechanism& mechanism :
+       {oracle::make_slider_crank_clearance(), oracle::make_free_body_in_bearing(), oracle::make_free_pair(),
+        oracle::make_driven_slide()}) {
+    Evaluated at(mechanism);
+    for (std::size_t k = 0; k < at.system.tables.contacts.size(); ++k) {
+      set_surfaces(at.system, k, RadialProfile({1e-7, 3e-7, 2e-7, 0.0, 1e-7, 2e-7}), RadialProfile{});
+    }
+    at.eval();
+    const double expected = at.power(kDriverWork) - at.power(kContactDamping) - at.power(kFrictionLoss) +
+                            at.power(kSurfaceWork);
+    const double exchanged = at.power(kExchanged) + std::abs(at.power(kSurfaceWork));
+    const std::vector<double> y = at.y;
+    const std::vector<double> slope = at.slope;
+    const double dt = 1e-9;  // central difference: rounding 1e-16/1e-9 and curvature stay below 1e-5 of the powers
+    const auto energy_after = [&](double t) {
+      for (std::size_t i = 0; i < y.size(); ++i) at.y[i] = y[i] + t * slope[i];
+      at.equations.eval(t, at.y.data(), at.slope.data());
+      return at.find_energy();
+    };
+    const double rate = (energy_after(dt) - energy_after(-dt)) / (2.0 * dt);
+    EXPECT_NEAR(rate, expected, 1e-5 * exchanged) << mechanism.name;
+  }
+}
+
+TEST(MotionEquations, SampleIsTheContactInItsBodies) {
+  const Evaluated at(oracle::make_nine_bar());
+  for (std::size_t k = 0; k < 2; ++k) {
+    const ContactSample sample = at.equations.find_sample(k);
+    const ContactForces& forces = at.equations.workspace.contact_forces[k];
+    EXPECT_EQ(sample.normal, forces.gap.normal);
+    EXPECT_EQ(sample.bearing_radius, forces.gap.bearing_radius);
+    EXPECT_EQ(sample.journal_radius, forces.gap.journal_radius);
+    EXPECT_EQ(sample.penetration, forces.gap.penetration);
+    EXPECT_EQ(sample.normal_force, forces.normal_force);
+    EXPECT_EQ(sample.slip_speed, forces.slip_speed);
+    BodyMotionFinder finder(at.system);
+    const auto& motions = finder.update(at.equations.workspace);
+    const std::string bearing = k == 0 ? "crank_1" : "crank_4";
+    const std::string journal = k == 0 ? "rod_2" : "rod_3";
+    EXPECT_DOUBLE_EQ(sample.bearing_angle, motions[find_body(at.system.mechanism, bearing)].angle);
+    EXPECT_DOUBLE_EQ(sample.journal_angle, motions[find_body(at.system.mechanism, journal)].angle);
+  }
+}
+
+TEST(MotionEquations, OpenContactsHaveNeitherForceNorPower) {
+  Evaluated at(oracle::make_nine_bar());
+  at.equations.latches.assign(2, {});
+  at.eval();
+  EXPECT_EQ(at.power(kContactDamping), 0.0);
+  EXPECT_EQ(at.power(kFrictionLoss), 0.0);
+  EXPECT_EQ(at.power(kSurfaceWork), 0.0);
+  EXPECT_EQ(at.equations.find_sample(0).normal_force, 0.0);
+}
+
+}  // namespace
+}  // namespace gudgeon
