@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Nothing is allocated once a motion runs: a guard over operator new of this test program counts for one thread while
+// it is asked to.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "gudgeon/sim/motion_integrator.h"
+#include "tests/oracle/mechanisms.h"
+
+namespace {
+
+thread_local bool counting = false;
+thread_local std::size_t n_allocations = 0;
+
+void* allocate(std::size_t size) {
+  if (counting) ++n_allocations;
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+
+void* allocate(std::size_t size, std::align_val_t alignment) {
+  if (counting) ++n_allocations;
+  const auto boundary = static_cast<std::size_t>(alignment);
+  // aligned_alloc wants a multiple of the alignment.
+  if (void* memory = std::aligned_alloc(boundary, (size + boundary - 1) / boundary * boundary)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+// Arrays and the forms that do not throw call these by default.
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) { return allocate(size, alignment); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace gudgeon {
+namespace {
+
+// Counts this thread's allocations during its life.
+class AllocationCount {
+ public:
+  AllocationCount() { n_allocations = 0, counting = true; }
+  ~AllocationCount() { counting = false; }
+  AllocationCount(const AllocationCount&) = delete;
+  AllocationCount& operator=(const AllocationCount&) = delete;
+
+  std::size_t stop() {
+    counting = false;
+    return n_allocations;
+  }
+};
+
+TEST(AllocationCount, SeesAllocations) {
+  AllocationCount count;
+  std::vector<double> vector(3);
+  vector.resize(1000);
+  EXPECT_EQ(count.stop(), 2U);
+}
+
+struct Outcome {
+  std::size_t n_allocations = 0;
+  int n_steps = 0;
+  int n_changes = 0;
+  bool failed = false;
+};
+
+// Advances, and interpolates as a recorder would.
+Outcome run_motion(const System& system, const Assembly& assembly, const Study& study, double end) {
+  MotionIntegrator motion(system, study, 1.0);
+  const State start = make_state(system, assembly);
+  std::vector<double> y(motion.y().size());
+  Outcome outcome;
+  AllocationCount count;
+  outcome.failed = !motion.begin(start);
+  while (!outcome.failed && motion.time() < end) {
+    outcome.failed = !motion.advance(end);
+    motion.interpolate(motion.time() - 0.3 * motion.last_step(), y);
+    ++outcome.n_steps;
+    outcome.n_changes += motion.changing_contact() ? 1 : 0;
+  }
+  outcome.n_allocations = count.stop();
+  return outcome;
+}
+
+std::vector<double> make_ripples() {
+  std::vector<double> depths(1000);
+  for (std::size_t k = 0; k < depths.size(); ++k) depths[k] = 1e-6 * (1.0 + std::sin(0.3 * static_cast<double>(k)));
+  return depths;
+}
+
+class Loop : public testing::TestWithParam<Stabilization> {};
+
+TEST_P(Loop, OfThePressAllocatesNothing) {
+  Study study;
+  study.stabilization = GetParam();
+  const Mechanism mechanism = oracle::make_nine_bar();
+  const Assembly assembly = assemble(mechanism);
+  System system = compile(mechanism, assembly);
+  for (const bool worn : {false, true}) {
+    if (worn) {
+      for (std::size_t k = 0; k < 2; ++k) set_surfaces(system, k, RadialProfile(make_ripples()), RadialProfile{});
+    }
+    const Outcome outcome = run_motion(system, assembly, study, 0.2);
+    EXPECT_FALSE(outcome.failed);
+    EXPECT_GE(outcome.n_steps, 1000) << "enough to have been everywhere";
+    EXPECT_GE(outcome.n_changes, 20);
+    EXPECT_EQ(outcome.n_allocations, 0U) << (worn ? "worn" : "unworn");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Loop, testing::Values(Stabilization::projection, Stabilization::baumgarte));
+
+TEST(LoopOverSingularPositions, AllocatesNothing) {
+  const Mechanism mechanism = oracle::make_n_four_bar(3);
+  const Assembly assembly = assemble(mechanism);
+  const System system = compile(mechanism, assembly);
+  const Outcome outcome = run_motion(system, assembly, {}, 4.0);
+  EXPECT_FALSE(outcome.failed);
+  EXPECT_EQ(outcome.n_allocations, 0U);
+}
+
+}  // namespace
+}  // namespace gudgeon

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Stages that cannot begin or cannot go on say why, where and when, and keep what they have.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gudgeon/sim/stage_run.h"
+#include "tests/oracle/mechanism_parts.h"
+#include "tests/oracle/mechanisms.h"
+#include "tests/sim/flying_ball.h"
+
+namespace gudgeon {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+StageRecord run(const Mechanism& mechanism, double cycle_time) {
+  Study study;
+  study.cycles = 1;
+  study.outputs_per_cycle = 100;
+  const Assembly assembly = assemble(mechanism);
+  const System system = compile(mechanism, assembly);
+  return StageRun(system, study, cycle_time, "test").run(make_state(system, assembly), {}, {});
+}
+
+// A four-bar whose driven crank stretches crank and coupler against the rocker's reach and wants on.
+Mechanism make_locking_four_bar() {
+  Mechanism mechanism = oracle::make_four_bar();
+  mechanism.loads.clear();
+  mechanism.bodies[1].start = {};
+  mechanism.bodies[0].points[1].position = {0.55, 0.11};
+  mechanism.bodies[2].start = oracle::start_at(-0.3);
+  mechanism.bodies[3].start = oracle::start_at(2.4);
+  mechanism.drivers.push_back({"motor", DrivenAngle{"crank"}, 0.3, 1.0});
+  return mechanism;
+}
+
+TEST(StageFailure, ALoopThatCannotCloseFailsAndKeepsTheWayThere) {
+  const StageRecord stage = run(make_locking_four_bar(), 3.0);
+  EXPECT_EQ(stage.status, StageStatus::failed);
+  EXPECT_THAT(stage.message, AllOf(HasSubstr("E-NUM-003: stopped at t = "), HasSubstr("(cycle 1)")));
+  EXPECT_GT(stage.end_time, 0.1);
+  EXPECT_LT(stage.end_time, 3.0);
+  EXPECT_EQ(stage.cycles, 0);
+  ASSERT_EQ(stage.time.size(), static_cast<std::size_t>(stage.end_time / 0.03) + 1);
+  for (const auto& channel : stage.values) {
+    ASSERT_EQ(channel.size(), stage.time.size());
+    for (const double value : channel) EXPECT_TRUE(std::isfinite(value));
+  }
+  EXPECT_EQ(stage.statistics.size(), stage.channels.size());
+  EXPECT_TRUE(std::isfinite(stage.ledger.residual()));
+}
+
+TEST(StageFailure, AJournalThatStartsInsideItsBearingIsTold) {
+  const Mechanism mechanism =
+      make_balls({{{0.0, 0.0}, {}}, {{kBallClearance + 12.5e-6, 0.0}, {}}}, {}, 1e6);
+  const StageRecord stage = run(mechanism, 1.0);
+  EXPECT_EQ(stage.status, StageStatus::failed);
+  EXPECT_THAT(stage.message, AllOf(HasSubstr("joint 'wall_1'"), HasSubstr("12.5 um inside its bearing")));
+  EXPECT_EQ(stage.end_time, 0.0);
+  EXPECT_EQ(stage.time.size(), 1U) << "the start, to look at";
+  EXPECT_TRUE(stage.events.empty());
+}
+
+TEST(StageFailure, AJournalThatJustTouchesIsNotInside) {
+  EXPECT_EQ(run(make_balls({{{kBallClearance, 0.0}, {-1.0, 0.0}}}, {}, 1e6), 0.1).status, StageStatus::finished);
+  const StageRecord pressed = run(make_balls({{{kBallClearance, 0.0}, {1.0, 0.0}}}, {}, 1e6), 0.1);
+  EXPECT_EQ(pressed.status, StageStatus::finished) << pressed.message;
+  ASSERT_EQ(pressed.events.size(), 1U) << "touches at once";
+  EXPECT_NEAR(pressed.events[0].onset_time, 0.0, 1e-10);
+  EXPECT_NEAR(pressed.events[0].onset_speed, 1.0, 1e-9);
+}
+
+TEST(StageFailure, ASingularStartIsTold) {
+  Mechanism mechanism = oracle::make_n_four_bar(2);
+  for (Body& body : mechanism.bodies) {
+    if (body.name.starts_with("post")) body.start = oracle::start_at(0.0);
+  }
+  const StageRecord stage = run(mechanism, 1.0);
+  EXPECT_EQ(stage.status, StageStatus::failed);
+  EXPECT_THAT(stage.message, HasSubstr("the start position is singular"));
+  EXPECT_EQ(stage.end_time, 0.0);
+}
+
+TEST(StageFailure, ContactStillOpenAtTheEndIsKept) {
+  // Meets the wall after 0.1 s; the touch would last 0.02 s and more.
+  const StageRecord stage = run(make_balls({{{0.2, 0.0}, {3.0, 0.0}}}, {}, 1e6), 0.105);
+  ASSERT_EQ(stage.events.size(), 1U);
+  EXPECT_NEAR(stage.events[0].onset_time, 0.1, 1e-10);
+  EXPECT_NEAR(stage.events[0].duration, 0.005, 1e-10);
+  EXPECT_GT(stage.events[0].peak_force, 0.0);
+  EXPECT_GT(stage.ledger.elastic, 0.0);
+  EXPECT_NEAR(stage.wear.at(0).contact_time, 0.005, 1e-9);
+}
+
+}  // namespace
+}  // namespace gudgeon
