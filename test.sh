@@ -14,6 +14,6 @@ echo "Testing"
 ctest --test-dir build --output-on-failure --progress -j2
 
 echo "Building into build-asan/ with sanitizers"
-bash scripts/build.sh build-asan all -DCMAKE_BUILD_TYPE=RelWithDebInfo -DGUDGEON_SANITIZE=ON
+bash scripts/build.sh build-asan all -DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1' -DGUDGEON_SANITIZE=ON
 echo "Testing with sanitizers"
 ctest --test-dir build-asan --output-on-failure --progress -j2 --label-exclude slow

@@ -25,6 +25,9 @@ class Attempt {
   explicit Attempt(const Mechanism& mechanism)
       : assembly(assemble(mechanism)), system(compile(mechanism, assembly)), equations(system, {}) {}
 
+  Attempt(const Attempt&) = delete;  // the equations hold on to the system
+  Attempt& operator=(const Attempt&) = delete;
+
   std::optional<ContactChange> find_change(double h) {
     ContactEvents events(system.tables);
     DormandPrince stepper(equations.size());
@@ -53,7 +56,8 @@ class Attempt {
 
 // Straight up, against gravity: the gap is widest when the ball is highest, and the centre then at `height`.
 Attempt throw_up(double height, double gravity = 4.0) {
-  return Attempt(make_balls({{{0.0, 0.1}, {0.0, std::sqrt(2.0 * gravity * (height - 0.1))}}}, {0.0, -gravity}, kNoStiffness));
+  const Vec2 velocity{0.0, std::sqrt(2.0 * gravity * (height - 0.1))};
+  return Attempt(make_balls({{{0.0, 0.1}, velocity}}, {0.0, -gravity}, kNoStiffness));
 }
 
 TEST(ContactEvents, GapsAreThoseOfTheSurfaces) {
@@ -117,20 +121,17 @@ TEST(ContactEvents, Separation) {
 
 TEST(ContactEvents, SeparationThatIsOverWithinTheStepIsSeen) {
   // Falls from 0.51 away from the wall, pulled back by 8 m/s²: e = 0.51 − v t + 4 t², at least 0.51 − v²/16.
-  const auto make = [](double lowest) {
+  for (const double lowest : {0.49, 0.5 + 1e-9}) {
     const double v = std::sqrt(16.0 * (0.51 - lowest));
     Attempt attempt(make_balls({{{0.51, 0.0}, {-v, 0.0}}}, {8.0, 0.0}, kNoStiffness));
     attempt.equations.latches[0] = {true, v};
-    return std::pair{std::move(attempt), v};
-  };
-  auto [opens, v] = make(0.49);
-  const double h = 1.9 * v / 8.0;
-  const auto change = opens.find_change(h);
-  ASSERT_GT(opens.end[0].penetration, 0.0) << "touches again";
-  ASSERT_TRUE(change);
-  EXPECT_NEAR(change->share * h, (v - std::sqrt(v * v - 16.0 * 0.01)) / 8.0, kTimeTolerance);
-  auto [stays, speed] = make(0.5 + 1e-9);
-  EXPECT_FALSE(stays.find_change(1.9 * speed / 8.0));
+    const double h = 1.9 * v / 8.0;
+    const auto change = attempt.find_change(h);
+    ASSERT_GT(attempt.end[0].penetration, 0.0) << "touches again";
+    ASSERT_EQ(change.has_value(), lowest < 0.5);
+    if (!change) continue;
+    EXPECT_NEAR(change->share * h, (v - std::sqrt(v * v - 16.0 * 0.01)) / 8.0, kTimeTolerance);
+  }
 }
 
 TEST(ContactEvents, TheEarlierOfTwoWins) {
@@ -168,17 +169,16 @@ class WornBall : public testing::Test {
   }
 
   // The centre stands at the clearance and this much of the wear; the ridge's top is at a third of it.
-  static Attempt make_attempt(double share, std::size_t region) {
-    Attempt attempt(make_balls({{{kBallClearance + share * kDepth, 0.0}, {}, kSpin}}, {}, kNoStiffness));
-    set_surfaces(attempt.system, 0, RadialProfile{}, make_ridge(region));
-    return attempt;
+  static Mechanism make_ball(double share) {
+    return make_balls({{{kBallClearance + share * kDepth, 0.0}, {}, kSpin}}, {}, kNoStiffness);
   }
 };
 
 TEST_F(WornBall, RidgePassedWithinTheStepIsSeen) {
   // Steps of a quarter turn and more; eighths of the step would see nothing of a ridge two regions wide.
   for (const std::size_t region : {53U, 97U, 171U}) {
-    Attempt attempt = make_attempt(0.5, region);
+    Attempt attempt(make_ball(0.5));
+    set_surfaces(attempt.system, 0, RadialProfile{}, make_ridge(region));
     const double h = 0.25 * 2.0 * std::numbers::pi / -kSpin;
     const auto change = attempt.find_change(h);
     ASSERT_LT(attempt.start[0].penetration, 0.0);
@@ -194,14 +194,15 @@ TEST_F(WornBall, RidgePassedWithinTheStepIsSeen) {
 }
 
 TEST_F(WornBall, RidgeThatIsTooLowIsNotTouched) {
-  Attempt attempt = make_attempt(0.33, 97);
+  Attempt attempt(make_ball(0.33));
+  set_surfaces(attempt.system, 0, RadialProfile{}, make_ridge(97));
   EXPECT_FALSE(attempt.find_change(0.25 * 2.0 * std::numbers::pi / -kSpin));
 }
 
 TEST_F(WornBall, FirstOfTwoRidgesWins) {
   std::vector<double> depths(kRegions, kDepth);
   depths[61] = depths[62] = depths[150] = 0.0;
-  Attempt attempt = make_attempt(0.5, 0);
+  Attempt attempt(make_ball(0.5));
   set_surfaces(attempt.system, 0, RadialProfile{}, RadialProfile(depths));
   const auto change = attempt.find_change(0.6);
   ASSERT_TRUE(change);

@@ -19,19 +19,20 @@ void eval_problem(double t, const double* y, double* slope) {
   slope[1] = y[0] * std::cos(t) - y[1] * y[0];
 }
 
-std::vector<double> make_start() { return {1.0, 0.3}; }
+constexpr double kStartTime = 0.5;
+std::vector<double> make_start() { return {1.0 / (1.0 + kStartTime * kStartTime), 0.3}; }
 
 const auto kRhs = [](int, double t, const double* y, double* slope) { eval_problem(t, y, slope); };
 
-// Goes from 0 to `end` in n steps and stays in the last one.
-DormandPrince run_steps(double end, int n) {
+// Goes on for `duration` in n steps and stays in the last one.
+DormandPrince run_steps(double duration, int n) {
   DormandPrince stepper(2);
   std::vector<double> y = make_start();
   std::vector<double> slope(2);
-  eval_problem(0.0, y.data(), slope.data());
+  eval_problem(kStartTime, y.data(), slope.data());
   for (int k = 0; k < n; ++k) {
-    stepper.begin(end * k / n, y, slope);
-    stepper.attempt(end / n, kRhs);
+    stepper.begin(kStartTime + duration * k / n, y, slope);
+    stepper.attempt(duration / n, kRhs);
     y = stepper.end();
     slope = stepper.end_slope();
   }
@@ -54,23 +55,23 @@ double find_dense_error(double h) {
 double find_order(double coarse_error, double fine_error) { return std::log2(coarse_error / fine_error); }
 
 TEST(DormandPrince, ConvergesWithOrderFive) {
-  const auto error = [](int n) { return std::abs(run_steps(1.5, n).end()[0] - 1.0 / (1.0 + 1.5 * 1.5)); };
-  // Orders are met to a quarter at these lengths; the next term is of relative size h.
-  EXPECT_NEAR(find_order(error(16), error(32)), 5.0, 0.25);
-  EXPECT_NEAR(find_order(error(32), error(64)), 5.0, 0.25);
+  const auto error = [](int n) { return std::abs(run_steps(1.5, n).end()[0] - 1.0 / (1.0 + 2.0 * 2.0)); };
+  // The next term of the error shows: at these lengths it moves the order by a third at most, a wrong one by a whole.
+  EXPECT_NEAR(find_order(error(32), error(64)), 5.0, 0.35);
+  EXPECT_NEAR(find_order(error(64), error(128)), 5.0, 0.35);
   EXPECT_LT(error(64), 1e-9);
 }
 
 TEST(DormandPrince, DenseOutputHasOrderFour) {
   // One step's local error goes with the order plus one.
-  EXPECT_NEAR(find_order(find_dense_error(0.2), find_dense_error(0.1)), 5.0, 0.3);
-  EXPECT_NEAR(find_order(find_dense_error(0.1), find_dense_error(0.05)), 5.0, 0.3);
+  EXPECT_NEAR(find_order(find_dense_error(0.05), find_dense_error(0.025)), 5.0, 0.35);
+  EXPECT_NEAR(find_order(find_dense_error(0.025), find_dense_error(0.0125)), 5.0, 0.35);
 }
 
 TEST(DormandPrince, ErrorEstimateIsThatOfTheFourthOrder) {
   const auto estimate = [](double h) { return std::abs(run_steps(h, 1).error()[1]); };
   EXPECT_NEAR(find_order(estimate(0.1), estimate(0.05)), 5.0, 0.3);
-  const double true_error = std::abs(run_steps(0.1, 1).end()[0] - 1.0 / 1.01);
+  const double true_error = std::abs(run_steps(0.1, 1).end()[0] - 1.0 / 1.36);
   EXPECT_LT(true_error, std::abs(run_steps(0.1, 1).error()[0])) << "the estimate is on the safe side";
 }
 
@@ -117,7 +118,7 @@ TEST(DormandPrince, StagesAreCalledInOrderAtTheirNodesAndTheLastIsTheEnd) {
     eval_problem(t, y, dydt);
   });
   EXPECT_EQ(stages, (std::vector<int>{1, 2, 3, 4, 5, 6}));
-  eval_problem(0.6, stepper.end().data(), slope.data());
+  eval_problem(0.4 + 0.2, stepper.end().data(), slope.data());
   EXPECT_EQ(stepper.end_slope(), slope) << "first stage of the next step";
   // Another attempt begins at the same start, whatever the one before did.
   const std::vector<double> first = stepper.end();

@@ -23,7 +23,7 @@ struct BallFlight {
 /// Surfaces so soft that a touch is not felt in the short time a test looks at.
 inline constexpr double kNoStiffness = 1e-20;
 
-/// One ball of 2 kg a flight, named "ball_0" …, in bearings "wall_0" … one beside the other; the Young's modulus in Pa.
+/// One ball of 2 kg a flight, "ball_0" …, in bearings "wall_0" … side by side; the Young's modulus in Pa.
 inline Mechanism make_balls(const std::vector<BallFlight>& flights, Vec2 gravity, double young_modulus) {
   Mechanism mechanism;
   mechanism.name = "balls";
@@ -35,8 +35,8 @@ inline Mechanism make_balls(const std::vector<BallFlight>& flights, Vec2 gravity
     mechanism.bodies[0].points.push_back({"bearing_" + index, middle});
     const BodyStart start{0.0, flights[k].angle_rate, middle + flights[k].position, flights[k].velocity};
     mechanism.bodies.push_back({"ball_" + index, 2.0, 0.1, {}, {{"journal", {}}}, start});
-    RevoluteClearance joint{{kFrameName, "bearing_" + index}, {"ball_" + index, "journal"}, kBallBearingRadius,
-                            kBallClearance,                   1.0,                          {}};
+    RevoluteClearance joint{
+        {kFrameName, "bearing_" + index}, {"ball_" + index, "journal"}, kBallBearingRadius, kBallClearance, 1.0, {}};
     joint.contact.bearing_material = joint.contact.journal_material = {"test", young_modulus, 0.0};
     joint.contact.normal_force = Hertz{};
     joint.contact.friction = Frictionless{};

@@ -89,16 +89,15 @@ TEST(MotionEquations, SlopesAreRatesAccelerationsAndPowers) {
 
 // Along the flow the energy changes by the powers, worn surfaces and all.
 TEST(MotionEquations, PowersBalanceTheChangeOfEnergy) {
-  for (const Mechanism& mechanism :
-       {oracle::make_slider_crank_clearance(), oracle::make_free_body_in_bearing(), oracle::make_free_pair(),
-        oracle::make_driven_slide()}) {
+  for (const Mechanism& mechanism : {oracle::make_slider_crank_clearance(), oracle::make_free_body_in_bearing(),
+                                     oracle::make_free_pair(), oracle::make_driven_slide()}) {
     Evaluated at(mechanism);
     for (std::size_t k = 0; k < at.system.tables.contacts.size(); ++k) {
       set_surfaces(at.system, k, RadialProfile({1e-7, 3e-7, 2e-7, 0.0, 1e-7, 2e-7}), RadialProfile{});
     }
     at.eval();
-    const double expected = at.power(kDriverWork) - at.power(kContactDamping) - at.power(kFrictionLoss) +
-                            at.power(kSurfaceWork);
+    const double expected =
+        at.power(kDriverWork) - at.power(kContactDamping) - at.power(kFrictionLoss) + at.power(kSurfaceWork);
     const double exchanged = at.power(kExchanged) + std::abs(at.power(kSurfaceWork));
     const std::vector<double> y = at.y;
     const std::vector<double> slope = at.slope;

@@ -145,6 +145,19 @@ TEST(MotionIntegrator, NoEntryIsPenetratedInThePress) {
   expect_contract(motion, 0.3, 20);
 }
 
+// Loose steps whose dense output sees separations that the solution does not make, and closures that want projection
+// where contacts change.
+TEST(MotionIntegrator, NoEntryIsPenetratedByLooseSteps) {
+  for (const double absolute : {1e-9, 1e-12}) {
+    Study study;
+    study.relative_tolerance = 1e-4;
+    study.absolute_tolerance = absolute;
+    Motion motion(oracle::make_nine_bar(), study);
+    expect_contract(motion, 0.7, 20);
+    EXPECT_GT(motion.integrator.statistics().projections, 0);
+  }
+}
+
 TEST(MotionIntegrator, NoEntryIsPenetratedInTheWornPress) {
   Motion motion(oracle::make_nine_bar(), {});
   std::vector<double> depths(1000);

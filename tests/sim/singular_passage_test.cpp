@@ -52,7 +52,8 @@ TEST(SingularPassage, ContinuesASmoothMotion) {
     const double t = approach.time + share * (*approach.far_side - approach.time);
     std::vector<double> y(3);
     approach.passage.interpolate(t, y);
-    for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(y[i], find_y(t)[i], kTolerance * std::max(1.0, std::abs(y[i])));
+    for (std::size_t i = 0; i < y.size(); ++i)
+      EXPECT_NEAR(y[i], find_y(t)[i], kTolerance * std::max(1.0, std::abs(y[i])));
   }
 }
 

@@ -56,8 +56,7 @@ TEST(StageFailure, ALoopThatCannotCloseFailsAndKeepsTheWayThere) {
 }
 
 TEST(StageFailure, AJournalThatStartsInsideItsBearingIsTold) {
-  const Mechanism mechanism =
-      make_balls({{{0.0, 0.0}, {}}, {{kBallClearance + 12.5e-6, 0.0}, {}}}, {}, 1e6);
+  const Mechanism mechanism = make_balls({{{0.0, 0.0}, {}}, {{kBallClearance + 12.5e-6, 0.0}, {}}}, {}, 1e6);
   const StageRecord stage = run(mechanism, 1.0);
   EXPECT_EQ(stage.status, StageStatus::failed);
   EXPECT_THAT(stage.message, AllOf(HasSubstr("joint 'wall_1'"), HasSubstr("12.5 um inside its bearing")));

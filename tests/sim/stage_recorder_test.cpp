@@ -29,7 +29,7 @@ struct Recorded {
       : assembly(assemble(mechanism)),
         system(compile(mechanism, assembly)),
         equations(system, {}),
-        recorder(system, 3),
+        recorder(system),
         state(make_state(system, assembly)),
         slope(equations.size()) {
     for (double& q : state.q) q += 1e-3;

@@ -33,6 +33,7 @@ int ClosureProjection::project(double t, std::vector<double>& y, std::vector<dou
   Workspace& workspace = equations.workspace;
   // What a gap does to the motion grows towards a singular position, and so does the care that it takes.
   const double tolerance = tolerance_ / std::max(1.0, find_singular_closeness(*tables_, workspace));
+  if (correction_.empty()) return 0;
   int n_corrections = 0;
   for (const bool rates : {false, true}) {
     const std::vector<Vec2>& current = rates ? workspace.closure_rate : workspace.closure_gap;
@@ -41,11 +42,13 @@ int ClosureProjection::project(double t, std::vector<double>& y, std::vector<dou
     find_correction(*tables_, residual_, workspace, correction_.data());
     // Beside a singular position a correction would move the mechanism far for a gap that is next to nothing.
     const double moved = *std::ranges::max_element(correction_, {}, [](double x) { return std::abs(x); });
-    if (!(std::abs(moved) <= kMostMoved * find_largest(residual_))) continue;
-    const std::size_t first = rates ? correction_.size() : 0;
-    for (std::size_t i = 0; i < correction_.size(); ++i) y[first + i] += correction_[i];
+    if (std::abs(moved) <= kMostMoved * find_largest(residual_)) {
+      const std::size_t first = rates ? correction_.size() : 0;
+      for (std::size_t i = 0; i < correction_.size(); ++i) y[first + i] += correction_[i];
+      ++n_corrections;
+    }
+    // Also after a correction that is not made: it was solved for where the accelerations stood.
     equations.eval(t, y.data(), slope.data());
-    ++n_corrections;
   }
   return n_corrections;
 }

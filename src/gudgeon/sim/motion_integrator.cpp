@@ -85,6 +85,7 @@ bool MotionIntegrator::pass_singular_position(double milestone) {
   passage_.interpolate(*far_side, y_);
   time_ = *far_side;
   last_step_ = 0.0;
+  strode_ = true;
   evaluate_again();
   settle();
   passage_.forget();
@@ -97,8 +98,9 @@ bool MotionIntegrator::attempt_step(double h) {
   if (!control_.accepts(stepper_)) return false;
   events_.find_gaps(equations_.workspace, end_gaps_);
   const auto change = events_.find_first_change(stepper_, equations_.latches, gaps_, end_gaps_, scratch_);
-  if (change) land_on_change(*change);
-  return true;
+  if (!change || land_on_change(*change)) return true;
+  control_.shorten(h);
+  return false;
 }
 
 void MotionIntegrator::attempt(double h) {
@@ -113,13 +115,18 @@ void MotionIntegrator::attempt(double h) {
 }
 
 // Steps again so as to end just on the near side of an onset, or just past a separation: within kOnsetTime of the
-// change and with the gap open in both cases. Newton's method on the step's length, kept inside a bracket.
-void MotionIntegrator::land_on_change(const ContactChange& change) {
+// change and with the gap open in both cases. Newton's method on the step's length, kept inside a bracket. A change
+// that only dense output has seen, as where surfaces graze, is none: the step then ends where it was thought to be.
+// False when the step was so long that the gap is past the change from its first moment on, going the other way.
+bool MotionIntegrator::land_on_change(const ContactChange& change) {
   const std::size_t k = change.contact;
   const double sign = equations_.latches[k].in_contact ? -1.0 : 1.0;
+  const double whole = stepper_.step();
+  const double expected = std::clamp(change.share, 0.0, 1.0) * whole;
   double before = 0.0;
-  double after = stepper_.step();
-  double h = std::clamp(change.share, 0.0, 1.0) * after;
+  double after = whole;
+  bool passed = sign * end_gaps_[k].penetration > 0.0;
+  double h = expected;
   for (int pass = 0; pass < kMostLandings; ++pass) {
     attempt(h);
     events_.find_gaps(equations_.workspace, end_gaps_);
@@ -130,13 +137,23 @@ void MotionIntegrator::land_on_change(const ContactChange& change) {
       h = 0.5 * (before + after);
       continue;
     }
-    const double excess = penetration + 0.5 * kOnsetTime * std::abs(rate);
-    if (std::abs(excess) <= 0.5 * kOnsetTime * std::abs(rate) || after - before <= kSmallestStep) break;
+    const double window = 0.5 * kOnsetTime * std::abs(rate);
+    const double excess = penetration + window;
+    const bool landed = std::abs(excess) <= window;
+    passed = passed || landed || sign * excess > 0.0;
+    if (landed || after - before <= kSmallestStep) break;
     (sign * excess > 0.0 ? after : before) = h;
     const double newton = h - excess / rate;
     h = newton > before && newton < after ? newton : 0.5 * (before + after);
   }
-  changing_contact_ = k;
+  if (passed) {
+    if (stepper_.step() <= kSmallestStep && sign * end_gaps_[k].penetration_rate < 0.0) return false;
+    changing_contact_ = k;
+    return true;
+  }
+  attempt(expected > kSmallestStep ? expected : whole);
+  events_.find_gaps(equations_.workspace, end_gaps_);
+  return true;
 }
 
 void MotionIntegrator::turn_latch(std::size_t k) {
@@ -168,7 +185,9 @@ void MotionIntegrator::accept(double milestone) {
   last_step_ = h;
   y_ = stepper_.end();
   slope_ = stepper_.end_slope();
-  settle();
+  strode_ = false;
+  // Gaps at a change of contact are where they have to be: its closures wait for the next step.
+  if (!changing_contact_ && settle() > 0) events_.find_gaps(equations_.workspace, end_gaps_);
   std::swap(gaps_, end_gaps_);
   for (std::size_t k = 0; k < gaps_.size(); ++k) {
     if (equations_.latches[k].in_contact) samples_.front()[k] = samples_.back()[k];
@@ -176,18 +195,23 @@ void MotionIntegrator::accept(double milestone) {
   passage_.note(time_, y_, slope_, find_singular_closeness(system_.tables, equations_.workspace));
 }
 
-// Closes the loops of the accepted state.
-void MotionIntegrator::settle() {
+// Closes the loops of the accepted state; returns how often it was corrected.
+int MotionIntegrator::settle() {
   statistics_.closure_residual = std::max(statistics_.closure_residual, find_largest(equations_.workspace.closure_gap));
-  if (study_.stabilization == Stabilization::baumgarte) return;
+  if (study_.stabilization == Stabilization::baumgarte) return 0;
   const int n_corrections = projection_.project(time_, y_, slope_, equations_);
   statistics_.projections += n_corrections;
   statistics_.evaluations += n_corrections;
+  return n_corrections;
 }
 
 void MotionIntegrator::interpolate(double time, std::vector<double>& y) const {
-  if (last_step_ == 0.0) {
+  if (strode_) {
     passage_.interpolate(time, y);
+    return;
+  }
+  if (last_step_ == 0.0) {
+    y = y_;
     return;
   }
   const double share = (time - stepper_.start_time()) / last_step_;

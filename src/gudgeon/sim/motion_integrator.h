@@ -39,7 +39,8 @@ class MotionIntegrator {
   [[nodiscard]] const std::vector<GapState>& gaps() const { return gaps_; }
   [[nodiscard]] const SolverStatistics& statistics() const { return statistics_; }
 
-  /// Length of the last step [s]; zero after a stride over a singular position, which has no stages.
+  /// Length of the last step [s]; zero after a stride over a singular position, which has no stages, and between two
+  /// contacts that change at one instant.
   [[nodiscard]] double last_step() const { return last_step_; }
   /// What a contact was like at a stage of the last step; without force where it was open.
   [[nodiscard]] const ContactSample& find_sample(int stage, std::size_t contact) const {
@@ -57,10 +58,10 @@ class MotionIntegrator {
   bool pass_singular_position(double milestone);
   bool attempt_step(double h);
   void attempt(double h);
-  void land_on_change(const ContactChange& change);
+  bool land_on_change(const ContactChange& change);
   void turn_latch(std::size_t contact);
   void accept(double milestone);
-  void settle();
+  int settle();
 
   const System& system_;
   const Study& study_;
@@ -76,6 +77,7 @@ class MotionIntegrator {
 
   double time_ = 0.0;
   double last_step_ = 0.0;
+  bool strode_ = false;  // over a singular position, in the last step
   std::vector<double> y_;
   std::vector<double> slope_;
   std::vector<GapState> gaps_;                       // at the last accepted state

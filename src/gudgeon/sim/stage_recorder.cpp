@@ -192,11 +192,6 @@ void StageRecorder::watch(double time, const Workspace& workspace, std::span<con
   step_statistics_.update(time, watched_row_);
 }
 
-void StageRecorder::reset_statistics() {
-  step_statistics_.reset();
-  sample_statistics_.reset();
-}
-
 void StageRecorder::finish(StageRecord& stage) {
   stage.channels = channels_;
   stage.time = std::move(time_);

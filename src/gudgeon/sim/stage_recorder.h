@@ -36,8 +36,6 @@ class StageRecorder {
               const double* integrals);
   /// Takes one accepted step into the statistics of contacts, efforts and accelerations.
   void watch(double time, const Workspace& workspace, std::span<const GapState> gaps);
-  /// Starts statistics anew: the warm-up is over.
-  void reset_statistics();
 
   /// Moves what was recorded into the stage.
   void finish(StageRecord& stage);

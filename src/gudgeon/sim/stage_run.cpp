@@ -63,13 +63,18 @@ void StageRun::begin(const State& start) {
     return;
   }
   initial_energies_ = recorder_.find_energies(motion_.equations().workspace);
+  std::string inside;
   for (std::size_t k = 0; k < motion_.gaps().size(); ++k) {
     const double penetration = motion_.gaps()[k].penetration;
     if (!(penetration > 0.0)) continue;
-    fail(fmt::format("joint '{}' starts with its journal {:.4g} um inside its bearing",
-                     system_.mechanism.joints[system_.tables.contacts[k].joint].name, 1e6 * penetration));
+    inside +=
+        fmt::format("{}joint '{}' starts with its journal {:.4g} um inside its bearing", inside.empty() ? "" : "; ",
+                    system_.mechanism.joints[system_.tables.contacts[k].joint].name, 1e6 * penetration);
   }
-  if (warm_up_end_ == 0.0) sample_until(0.0);
+  if (!inside.empty()) fail(inside);
+  if (warm_up_end_ > 0.0) return;
+  sample_until(0.0);
+  recorder_.watch(0.0, motion_.equations().workspace, motion_.gaps());
 }
 
 void StageRun::take_step(double step_start) {
@@ -77,7 +82,6 @@ void StageRun::take_step(double step_start) {
   MotionEquations& equations = motion_.equations();
   if (step_start >= warm_up_end_) deposit_wear();
   sample_until(now);
-  if (now == warm_up_end_) recorder_.reset_statistics();
   if (now >= warm_up_end_) recorder_.watch(now, equations.workspace, motion_.gaps());
   for (std::size_t k = 0; k < wear_.size(); ++k) {
     if (equations.latches[k].in_contact) history_.watch(k, equations.workspace.contact_forces[k].normal_force);

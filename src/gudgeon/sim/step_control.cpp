@@ -34,10 +34,8 @@ StepControl::StepControl(const Study& study, std::size_t n_turns, std::size_t n_
 double StepControl::find_error(const DormandPrince& stepper) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < stepper.end().size(); ++i) {
-    if (i >= n_controlled_) {
-      sum += 0.0 * stepper.end()[i];
-      continue;
-    }
+    sum += 0.0 * stepper.end()[i];  // an infinite component would make its own tolerance infinite
+    if (i >= n_controlled_) continue;
     double size = std::max(std::abs(stepper.start()[i]), std::abs(stepper.end()[i]));
     if (i < n_turns_) size = std::min(size, 1.0);  // an angle's error does not become harmless after many turns
     const double ratio = stepper.error()[i] / (absolute_tolerance_ + relative_tolerance_ * size);
@@ -60,6 +58,8 @@ bool StepControl::accepts(const DormandPrince& stepper) {
   if (accepted) last_error_ = std::max(error, kLeastLastError);
   return accepted;
 }
+
+void StepControl::shorten(double h) { next_ = kLeastChange * h; }
 
 void StepControl::note_onset() {
   if (step_after_onset_ > 0.0) next_ = std::min(next_, step_after_onset_);

@@ -24,6 +24,9 @@ class StepControl {
   /// Whether the attempted step keeps the tolerance; proposes the next length either way.
   bool accepts(const DormandPrince& stepper);
 
+  /// The step kept the tolerance but could not be used for another reason.
+  void shorten(double h);
+
   /// A contact has begun: its time scale is not that of free flight. Proposes the length that worked after the last
   /// onset.
   void note_onset();
