@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"E-STUDY-005", "study.regions", "at least 10 and at most 1e+06", [](Model& m) { m.study.regions = 9; }},
         Broken{"E-STUDY-005", "study.outputs_per_cycle", "at least 1", [](Model& m) { m.study.outputs_per_cycle = 0; }},
         Broken{"E-STUDY-006", "study.magnification", "positive", [](Model& m) { m.study.magnification = 0.0; }},
-        Broken{"E-STUDY-006", "study.relative_tolerance", "above 0 and at most 0.01",
+        Broken{"E-STUDY-006", "study.relative_tolerance", "at least 1e-15 and at most 0.01",
                [](Model& m) { m.study.relative_tolerance = 0.1; }},
         Broken{"E-STUDY-006", "study.max_step", "not negative", [](Model& m) { m.study.max_step = -1.0; }},
         Broken{"E-STUDY-007", "study.published.0.measure", "Did you mean 'peak'?",

@@ -84,7 +84,8 @@ TEST_P(DeliveredRestitution, LankaraniNikravesh) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, DeliveredRestitution,
                          testing::Values(Restitution{0.1, .66527}, Restitution{0.3, .68422}, Restitution{0.5, .72524},
-                                         Restitution{0.7, .79597}, Restitution{0.9, .91318}, Restitution{0.99, .99015}));
+                                         Restitution{0.7, .79597}, Restitution{0.9, .91318},
+                                         Restitution{0.99, .99015}));
 
 TEST(Contact, BounceIndependentOfMassSpeedAndStiffness) {
   for (const double speed : {0.05, 20.0}) {

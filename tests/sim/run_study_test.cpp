@@ -127,6 +127,28 @@ TEST(RunStudy, GoesOnAfterFinishedStages) {
   for (std::size_t s = 0; s < whole.size(); ++s) EXPECT_EQ(rest[s].values, whole[s].values) << s;
 }
 
+TEST(RunStudy, AWornThroughJournalEndsTheRunBeforeItsStage) {
+  Study study = make_study(2);
+  study.magnification = 1e9;
+  const auto stages = run_study(oracle::make_nine_bar(), study);
+  ASSERT_THAT(find_names(stages), ElementsAre("ideal", "no_wear", "wear_1"));
+  EXPECT_EQ(stages[2].status, StageStatus::failed);
+  EXPECT_THAT(stages[2].message, testing::AllOf(testing::HasSubstr("E-NUM-004"), testing::HasSubstr("joint 'A'"),
+                                                testing::HasSubstr("study.magnification")));
+}
+
+TEST(RunStudy, AJournalBeyondItsBearingIsAnErrorOfTheModel) {
+  Mechanism mechanism = oracle::make_free_body_in_bearing();
+  mechanism.bodies[1].start.position = Vec2{0.3, 0.0};
+  try {
+    run_study(mechanism, make_study(0));
+    FAIL() << "it cannot be outside";
+  } catch (const ModelError& error) {
+    ASSERT_EQ(error.diagnostics().items().size(), 1U);
+    EXPECT_EQ(error.diagnostics().items()[0].code, "E-MODEL-074");
+  }
+}
+
 TEST(RunStudy, ASingularStartIsAnErrorOfTheModel) {
   Mechanism mechanism = oracle::make_n_four_bar(2);
   for (Body& body : mechanism.bodies) {

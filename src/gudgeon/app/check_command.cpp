@@ -13,6 +13,7 @@
 #include "gudgeon/app/text_output.h"
 #include "gudgeon/io/explain.h"
 #include "gudgeon/system/assembly.h"
+#include "gudgeon/system/loose_start.h"
 #include "gudgeon/system/mobility.h"
 
 namespace gudgeon {
@@ -26,6 +27,7 @@ struct CheckOptions {
 
 std::string render_model(const ModelFile& model) {
   const Assembly assembly = assemble(model.mechanism);
+  require_clear_start(model.mechanism, assembly);
   const bool color = find_color_wanted();
   return render_counts(model.mechanism, find_mobility(model.mechanism), color) +
          render_start(model.mechanism, assembly, color) + render_loops(assembly, color) +

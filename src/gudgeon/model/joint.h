@@ -30,8 +30,8 @@ struct Revolute {
 struct Prismatic {
   Anchor first;
   Anchor second;
-  double direction = 0.0;       ///< [rad] of the line, in the first body's axes
-  double relative_angle = 0.0;  ///< θ_second − θ_first [rad]
+  double direction = 0.0;                    ///< [rad] of the line, in the first body's axes
+  double relative_angle = 0.0;               ///< θ_second − θ_first [rad]
   std::optional<double> start_displacement;  ///< [m] along the line, a guess
   std::optional<double> start_speed;         ///< [m/s]
 };

@@ -17,8 +17,8 @@ namespace gudgeon {
 struct Mechanism {
   std::string name;
   std::string description;
-  Vec2 gravity;               ///< g [m/s^2] in the frame's axes; none unless given
-  std::vector<Body> bodies;   ///< the frame is bodies[0]; its mass is not used
+  Vec2 gravity;              ///< g [m/s^2] in the frame's axes; none unless given
+  std::vector<Body> bodies;  ///< the frame is bodies[0]; its mass is not used
   std::vector<Joint> joints;
   std::vector<Driver> drivers;
   std::vector<Load> loads;

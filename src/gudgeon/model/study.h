@@ -25,29 +25,29 @@ enum class Stabilization {
 
 /// A value known from elsewhere, set beside ours in the summary: [[published]] of the model file.
 struct PublishedValue {
-  std::string quantity;         ///< what it is, in words
-  std::string channel;          ///< the channel or joint it belongs to
-  std::string measure;          ///< "peak" (signed value of largest magnitude) or "wear_depth" (largest total depth)
-  std::vector<double> values;   ///< one a stage, in SI; NaN where nothing was published
+  std::string quantity;        ///< what it is, in words
+  std::string channel;         ///< the channel or joint it belongs to
+  std::string measure;         ///< "peak" (signed value of largest magnitude) or "wear_depth" (largest total depth)
+  std::vector<double> values;  ///< one a stage, in SI; NaN where nothing was published
 };
 
 struct Study {
-  std::string cycle_driver;           ///< one cycle is one turn of this driver; or
-  double cycle_time = 0.0;            ///< [s] one cycle
-  int cycles = 10;                    ///< cycles a stage that count
-  int warm_up_cycles = 0;             ///< cycles before them that are left out of statistics and wear
-  int wear_stages = 0;                ///< how often the surfaces are rebuilt; there is one stage more
-  double magnification = 1.0;         ///< a stage's wear times this is what the surfaces lose
-  int regions = 1000;                 ///< regions of each circumference
+  std::string cycle_driver;    ///< one cycle is one turn of this driver; or
+  double cycle_time = 0.0;     ///< [s] one cycle
+  int cycles = 10;             ///< cycles a stage that count
+  int warm_up_cycles = 0;      ///< cycles before them that are left out of statistics and wear
+  int wear_stages = 0;         ///< how often the surfaces are rebuilt; there is one stage more
+  double magnification = 1.0;  ///< a stage's wear times this is what the surfaces lose
+  int regions = 1000;          ///< regions of each circumference
   Deposition deposition = Deposition::spread;
-  bool compare_ideal = true;          ///< also run the mechanism with ideal joints
-  int outputs_per_cycle = 500;        ///< recorded samples a cycle
-  double relative_tolerance = 1e-7;   ///< [1] local error a step, of each coordinate and rate
-  double absolute_tolerance = 1e-9;   ///< [rad, m, rad/s, m/s] local error a step near zero
-  double max_step = 0.0;              ///< [s] largest step; 0 leaves it to the error control
+  bool compare_ideal = true;         ///< also run the mechanism with ideal joints
+  int outputs_per_cycle = 500;       ///< recorded samples a cycle
+  double relative_tolerance = 1e-7;  ///< [1] local error a step, of each coordinate and rate
+  double absolute_tolerance = 1e-9;  ///< [rad, m, rad/s, m/s] local error a step near zero
+  double max_step = 0.0;             ///< [s] largest step; 0 leaves it to the error control
   Stabilization stabilization = Stabilization::projection;
-  double baumgarte_alpha = 5.0;       ///< α [1/s]
-  double baumgarte_beta = 5.0;        ///< β [1/s]
+  double baumgarte_alpha = 5.0;  ///< α [1/s]
+  double baumgarte_beta = 5.0;   ///< β [1/s]
   std::vector<PublishedValue> published;
 };
 

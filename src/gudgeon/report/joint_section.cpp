@@ -28,7 +28,8 @@ std::string render_range(const AngleRange& range) {
 
 std::string render_extrapolation(const std::string& stage, const JointWearSummary& wear) {
   return fmt::format(
-      "  note: stage {} deepens joint {} by {:.0f} % of its clearance at once; its motion would have changed on the way.\n"
+      "  note: stage {} deepens joint {} by {:.0f} % of its clearance at once; its motion would have changed on the "
+      "way.\n"
       "        Lower study.magnification and take more study.wear_stages.\n",
       stage, wear.joint, 100.0 * wear.clearance_share);
 }

@@ -30,25 +30,25 @@ struct ChannelStatistics {
 
 /// One stay in contact.
 struct ContactEvent {
-  std::int32_t joint = 0;       ///< index into StageRecord::wear
-  double onset_time = 0.0;      ///< [s]
-  double duration = 0.0;        ///< [s]; up to the end of the stage when still in contact
-  double onset_speed = 0.0;     ///< [m/s] latched there
-  double angle = 0.0;           ///< [rad] of the contact at onset, in the bearing body
-  double peak_force = 0.0;      ///< [N]
+  std::int32_t joint = 0;    ///< index into StageRecord::wear
+  double onset_time = 0.0;   ///< [s]
+  double duration = 0.0;     ///< [s]; up to the end of the stage when still in contact
+  double onset_speed = 0.0;  ///< [m/s] latched there
+  double angle = 0.0;        ///< [rad] of the contact at onset, in the bearing body
+  double peak_force = 0.0;   ///< [N]
 };
 
 /// Energies of a stage from its start, all in J. The residual would be zero in exact arithmetic.
 struct EnergyLedger {
-  double initial_energy = 0.0;    ///< kinetic + potential + elastic at the start
-  double kinetic = 0.0;           ///< at the end
-  double potential = 0.0;         ///< of gravity and constant loads, at the end
-  double elastic = 0.0;           ///< stored in contacts, at the end
-  double driver_work = 0.0;       ///< done by the drivers
-  double contact_damping = 0.0;   ///< lost in contacts along their normal
-  double friction = 0.0;          ///< lost in contacts along their slip
-  double surface_work = 0.0;      ///< done by worn surfaces whose law is not conservative
-  double exchanged = 0.0;         ///< time integral of |driver power| + |damping| + |friction| power
+  double initial_energy = 0.0;   ///< kinetic + potential + elastic at the start
+  double kinetic = 0.0;          ///< at the end
+  double potential = 0.0;        ///< of gravity and constant loads, at the end
+  double elastic = 0.0;          ///< stored in contacts, at the end
+  double driver_work = 0.0;      ///< done by the drivers
+  double contact_damping = 0.0;  ///< lost in contacts along their normal
+  double friction = 0.0;         ///< lost in contacts along their slip
+  double surface_work = 0.0;     ///< done by worn surfaces whose law is not conservative
+  double exchanged = 0.0;        ///< time integral of the magnitudes of driver, load, damping and friction power
 
   /// What is missing: energy now − energy at the start − work done on the mechanism.
   [[nodiscard]] double residual() const {
@@ -64,10 +64,10 @@ struct SolverStatistics {
   std::int64_t onsets = 0;
   std::int64_t separations = 0;
   std::int64_t projections = 0;
-  double smallest_step = 0.0;      ///< [s]
-  double largest_step = 0.0;       ///< [s]
-  double closure_residual = 0.0;   ///< [m] largest after an accepted step
-  double wall_time = 0.0;          ///< [s]; the only number that differs from run to run
+  double smallest_step = 0.0;     ///< [s]
+  double largest_step = 0.0;      ///< [s]
+  double closure_residual = 0.0;  ///< [m] largest after an accepted step
+  double wall_time = 0.0;         ///< [s]; the only number that differs from run to run
 };
 
 /// Wear of one clearance joint: where the stage started and what it added.
@@ -92,18 +92,18 @@ enum class StageStatus { finished, stopped, failed };
 
 /// One stage: the mechanism run over its cycles on fixed surfaces.
 struct StageRecord {
-  std::string name;               ///< "ideal", "no_wear", "wear_1", "wear_2" …
+  std::string name;  ///< "ideal", "no_wear", "wear_1", "wear_2" …
   StageStatus status = StageStatus::finished;
-  std::string message;            ///< why it stopped or failed
-  double start_time = 0.0;        ///< [s] of the first counted cycle
-  double end_time = 0.0;          ///< [s] reached
-  double cycle_time = 0.0;        ///< [s]
-  int cycles = 0;                 ///< counted cycles reached
+  std::string message;      ///< why it stopped or failed
+  double start_time = 0.0;  ///< [s] of the first counted cycle
+  double end_time = 0.0;    ///< [s] reached
+  double cycle_time = 0.0;  ///< [s]
+  int cycles = 0;           ///< counted cycles reached
   std::vector<Channel> channels;
-  std::vector<double> time;               ///< [s] of each recorded sample
+  std::vector<double> time;                 ///< [s] of each recorded sample
   std::vector<std::vector<double>> values;  ///< values[channel][sample]
   std::vector<ChannelStatistics> statistics;
-  std::vector<JointWear> wear;            ///< one a clearance joint
+  std::vector<JointWear> wear;  ///< one a clearance joint
   std::vector<ContactEvent> events;
   EnergyLedger ledger;
   SolverStatistics solver;
@@ -111,11 +111,11 @@ struct StageRecord {
 
 /// One case of a study.
 struct RunRecord {
-  std::string model_file;       ///< as the user named it
-  std::string model_text;       ///< verbatim
+  std::string model_file;  ///< as the user named it
+  std::string model_text;  ///< verbatim
   std::string case_name;
   std::vector<std::pair<std::string, std::string>> overrides;  ///< path and text, in the order applied
-  std::string explained;        ///< the model in SI with every default
+  std::string explained;                                       ///< the model in SI with every default
   std::string program_version;
   std::vector<StageRecord> stages;
 };

@@ -57,7 +57,8 @@ class MotionEquations {
       power[kFrictionLoss] += forces.friction_power;
       power[kSurfaceWork] += forces.surface_power;
     }
-    power[kExchanged] = std::abs(power[kDriverWork]) + std::abs(power[kContactDamping]) + power[kFrictionLoss];
+    power[kExchanged] = std::abs(power[kDriverWork]) + std::abs(find_load_power(*tables_, workspace.coordinates)) +
+                        std::abs(power[kContactDamping]) + power[kFrictionLoss];
   }
 
   /// The last evaluation's contact, as wear sees it.

@@ -14,8 +14,6 @@ namespace {
 
 // Onset is located this well [s]; the integrator stops within it, before the surfaces touch.
 constexpr double kOnsetTime = 1e-10;
-// A step below this [s] means that the run cannot go on.
-constexpr double kSmallestStep = 1e-12;
 // Landing on a change takes one or two passes; bisection from the longest step to the shortest would take this many.
 constexpr int kMostLandings = 50;
 // Closure errors above this share of the absolute tolerance are projected away.

@@ -18,6 +18,9 @@
 
 namespace gudgeon {
 
+/// A step below this [s] means that a run cannot go on.
+inline constexpr double kSmallestStep = 1e-12;
+
 /// Advances one motion. Steps are controlled by their local error; a contact's change ends its step, an onset being
 /// located to 1e-10 s, just before the surfaces touch, and its speed latched; loop closures are projected when they
 /// need it. Allocates nothing after construction.

@@ -13,6 +13,7 @@
 #include "gudgeon/model/cycle_time.h"
 #include "gudgeon/sim/stage_run.h"
 #include "gudgeon/system/assembly.h"
+#include "gudgeon/system/loose_start.h"
 #include "gudgeon/system/mobility.h"
 
 namespace gudgeon {
@@ -37,6 +38,18 @@ void rebuild_surfaces(System& system, const StageRecord& stage) {
   }
 }
 
+// The joints whose journal has nothing left after the stage; empty when all have.
+std::string find_worn_through(const StageRecord& stage) {
+  std::string text;
+  for (const JointWear& wear : stage.wear) {
+    const double deepest = std::ranges::max(add_depths(wear.journal_depth, wear.journal_depth_added));
+    if (deepest < wear.journal_radius) continue;
+    text += fmt::format("{}joint '{}': its journal of radius {:.4g} mm would be worn {:.4g} mm deep",
+                        text.empty() ? "" : "; ", wear.joint, 1e3 * wear.journal_radius, 1e3 * deepest);
+  }
+  return text;
+}
+
 class StudyRunner {
  public:
   StudyRunner(const Mechanism& mechanism, const Study& study, const RunHooks& hooks, std::vector<StageRecord> finished)
@@ -59,6 +72,11 @@ class StudyRunner {
     System system = compile(mechanism_, assembly_);
     for (int wear_updates = 0; wear_updates <= study_.wear_stages; ++wear_updates) {
       if (!run_stage(system, stage_name(wear_updates))) break;
+      if (wear_updates == study_.wear_stages) break;
+      if (const std::string worn_through = find_worn_through(stages_.back()); !worn_through.empty()) {
+        fail_stage(stage_name(wear_updates + 1), worn_through);
+        break;
+      }
       rebuild_surfaces(system, stages_.back());
     }
     return std::move(stages_);
@@ -80,6 +98,17 @@ class StudyRunner {
     stages_.push_back(stage.run(make_state(system, assembly_), hooks_.stop, report));
     if (hooks_.stage_finished) hooks_.stage_finished(stages_.back());
     return stages_.back().status == StageStatus::finished;
+  }
+
+  // A stage that cannot be run is told like one that could not go on.
+  void fail_stage(const std::string& name, const std::string& reason) {
+    StageRecord stage;
+    stage.name = name;
+    stage.status = StageStatus::failed;
+    stage.cycle_time = cycle_time_;
+    stage.message = fmt::format("E-NUM-004: {}; lower study.magnification", reason);
+    stages_.push_back(std::move(stage));
+    if (hooks_.stage_finished) hooks_.stage_finished(stages_.back());
   }
 
   const Mechanism& mechanism_;
@@ -107,6 +136,7 @@ void throw_if_singular(const Mechanism& mechanism) {
 std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& study, const RunHooks& hooks,
                                    std::vector<StageRecord> finished) {
   throw_if_singular(mechanism);
+  require_clear_start(mechanism, assemble(mechanism));
   return StudyRunner(mechanism, study, hooks, std::move(finished)).run();
 }
 

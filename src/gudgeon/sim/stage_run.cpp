@@ -38,12 +38,12 @@ StageRecord StageRun::run(const State& start, const std::stop_token& stop,
   while (motion_.time() < end_ && record_.status == StageStatus::finished) {
     if (stop.stop_requested()) {
       record_.status = StageStatus::stopped;
-      record_.message = fmt::format("stopped on request at t = {:.6f} s", motion_.time());
+      record_.message = fmt::format("stopped on request at t = {:.9g} s", motion_.time());
       break;
     }
     const double step_start = motion_.time();
     if (!motion_.advance(step_start < warm_up_end_ ? warm_up_end_ : end_)) {
-      fail("step below 1e-12 s");
+      fail("E-NUM-003", fmt::format("step below {:g} s", kSmallestStep));
       break;
     }
     take_step(step_start);
@@ -59,7 +59,7 @@ StageRecord StageRun::run(const State& start, const std::stop_token& stop,
 
 void StageRun::begin(const State& start) {
   if (!motion_.begin(start)) {
-    fail("the start position is singular: accelerations are not determined");
+    fail("E-NUM-001", "the start position is singular: accelerations are not determined");
     return;
   }
   initial_energies_ = recorder_.find_energies(motion_.equations().workspace);
@@ -71,7 +71,7 @@ void StageRun::begin(const State& start) {
         fmt::format("{}joint '{}' starts with its journal {:.4g} um inside its bearing", inside.empty() ? "" : "; ",
                     system_.mechanism.joints[system_.tables.contacts[k].joint].name, 1e6 * penetration);
   }
-  if (!inside.empty()) fail(inside);
+  if (!inside.empty()) fail("E-NUM-002", inside);
   if (warm_up_end_ > 0.0) return;
   sample_until(0.0);
   recorder_.watch(0.0, motion_.equations().workspace, motion_.gaps());
@@ -135,9 +135,9 @@ void StageRun::sample_until(double time) {
   }
 }
 
-void StageRun::fail(const std::string& reason) {
+void StageRun::fail(const std::string& code, const std::string& reason) {
   record_.status = StageStatus::failed;
-  record_.message = fmt::format("E-NUM-003: stopped at t = {:.9f} s (cycle {}): {}", motion_.time(),
+  record_.message = fmt::format("{}: stopped at t = {:.9g} s (cycle {}): {}", code, motion_.time(),
                                 static_cast<int>(motion_.time() / record_.cycle_time) + 1, reason);
   double deepest = 0.0;
   std::size_t stiffest = wear_.size();
@@ -145,7 +145,16 @@ void StageRun::fail(const std::string& reason) {
     const double penetration = motion_.gaps()[k].penetration;
     if (motion_.equations().latches[k].in_contact && penetration > deepest) deepest = penetration, stiffest = k;
   }
-  if (stiffest == wear_.size()) return;
+  if (stiffest == wear_.size()) {
+    motion_.evaluate_again();
+    const int closure = find_weakest_closure(system_.tables, motion_.equations().workspace);
+    if (closure < 0) return;
+    record_.message += fmt::format(
+        "; nearest to a singular position: the loop closed by joint '{}' - {}",
+        system_.mechanism.joints[system_.tables.closures[closure].joint].name,
+        system_.mechanism.drivers.empty() ? "its bars may be in line" : "a driver may ask for more than it can reach");
+    return;
+  }
   record_.message += fmt::format("; stiffest contact: joint '{}', penetration {:.3g} um, normal force {:.3g} N",
                                  system_.mechanism.joints[system_.tables.contacts[stiffest].joint].name, 1e6 * deepest,
                                  motion_.find_sample(0, stiffest).normal_force);

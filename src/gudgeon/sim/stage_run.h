@@ -31,7 +31,7 @@ class StageRun {
   void deposit_wear();
   void note_contact_change(std::size_t contact);
   void sample_until(double time);
-  void fail(const std::string& reason);
+  void fail(const std::string& code, const std::string& reason);
   void finish();
 
   const System& system_;

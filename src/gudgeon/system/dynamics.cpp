@@ -116,9 +116,35 @@ double find_singular_closeness(const Tables& tables, const Workspace& workspace)
   return closeness;
 }
 
+int find_weakest_closure(const Tables& tables, const Workspace& workspace) noexcept {
+  int weakest = -1;
+  double most = 0.0;
+  for (std::size_t c = 0; c < tables.closures.size(); ++c) {
+    for (int k = 0; k < 2; ++k) {
+      if (!tables.closures[c].active[k] || tables.usual_inverse_pivots.empty()) continue;
+      const int at = tables.elimination.find_slot(tables.closures[c].row[k], tables.closures[c].row[k]);
+      const double ratio = std::abs(workspace.inverse_pivots[at] / tables.usual_inverse_pivots[at]);
+      if (!(ratio <= most)) most = ratio, weakest = static_cast<int>(c);
+    }
+  }
+  return weakest;
+}
+
 double find_driver_power(const Tables& tables, const Workspace& workspace) noexcept {
   double power = 0.0;
   for (std::size_t d = 0; d < workspace.effort.size(); ++d) power += workspace.effort[d] * tables.driven[d].speed;
+  return power;
+}
+
+double find_load_power(const Tables& tables, const Coordinates& coordinates) noexcept {
+  double power = 0.0;
+  for (const FieldTerm& field : tables.fields) {
+    const Rotation r = coordinates.rotation[field.turn];
+    power +=
+        coordinates.angle_rate[field.turn] * coordinates.slide[field.slide] * (field.cross * r.c - field.dot * r.s) +
+        coordinates.slide_rate[field.slide] * (field.dot * r.c + field.cross * r.s);
+  }
+  for (const TurnTorque& torque : tables.torques) power += coordinates.angle_rate[torque.turn] * torque.torque;
   return power;
 }
 

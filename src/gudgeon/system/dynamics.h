@@ -43,7 +43,12 @@ void find_correction(const Tables& tables, std::span<const Vec2> residual, Works
 /// from a singular position.
 double find_singular_closeness(const Tables& tables, const Workspace& workspace) noexcept;
 
+/// The closure whose row has the least pivot against its value at the start, or -1 without closures.
+int find_weakest_closure(const Tables& tables, const Workspace& workspace) noexcept;
+
 /// Power [W] that the drivers deliver, from the last evaluation.
 double find_driver_power(const Tables& tables, const Workspace& workspace) noexcept;
+/// Power [W] that gravity and constant loads deliver at the coordinates.
+double find_load_power(const Tables& tables, const Coordinates& coordinates) noexcept;
 
 }  // namespace gudgeon

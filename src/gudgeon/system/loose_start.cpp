@@ -4,6 +4,9 @@
 // Shifts of whole loose groups.
 #include "gudgeon/system/loose_start.h"
 
+#include <fmt/format.h>
+
+#include "gudgeon/base/diagnostics.h"
 #include "gudgeon/system/topology.h"
 
 namespace gudgeon {
@@ -25,6 +28,28 @@ void place_loose_bodies(const Mechanism& mechanism, Assembly& assembly) {
       assembly.poses[body].velocity += push;
     }
   }
+}
+
+void require_clear_start(const Mechanism& mechanism, const Assembly& assembly) {
+  // A journal may be given to touch; rounding of its position must not count as overlap.
+  constexpr double kTouching = 1e-9;
+  const auto find_world = [&](const Anchor& anchor) {
+    const int body = find_body(mechanism, anchor.body);
+    return assembly.poses[body].find_point(find_point(mechanism.bodies[body], anchor.point)->position);
+  };
+  Diagnostics diagnostics;
+  for (const Joint& joint : mechanism.joints) {
+    const auto* clearance = std::get_if<RevoluteClearance>(&joint.kind);
+    if (clearance == nullptr) continue;
+    const double eccentricity = norm(find_world(clearance->journal) - find_world(clearance->bearing));
+    if (eccentricity <= clearance->radial_clearance * (1.0 + kTouching)) continue;
+    diagnostics.error("E-MODEL-074", "joints." + joint.name,
+                      fmt::format("joint '{}': its journal starts {:.6g} mm off the middle of its bearing, and "
+                                  "radial_clearance is {:.6g} mm",
+                                  joint.name, 1e3 * eccentricity, 1e3 * clearance->radial_clearance),
+                      {"change start.position of the loose body, or leave it out: journals then start in the middle"});
+  }
+  if (diagnostics.has_errors()) throw ModelError(diagnostics);
 }
 
 }  // namespace gudgeon
