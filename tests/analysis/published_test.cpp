@@ -27,19 +27,20 @@ TEST(Published, PeaksBelongToTheWornStages) {
   EXPECT_TRUE(std::isnan(comparison.ratio[2]));
 }
 
-TEST(Published, WearDepthIsWhatHasAccumulatedAfterTheUpdate) {
-  const PublishedRow row{"wear depth A", "A", "wear_depth", {8e-6, std::nan("")}, ""};
+TEST(Published, WearDepthIsThatOfTheSurfacesAStageRanOn) {
+  const PublishedRow row{"wear depth A", "A", "wear_depth", {std::nan(""), 8e-6, std::nan("")}, ""};
   const PublishedComparison comparison = compare_published(test::make_run(), row);
   EXPECT_EQ(comparison.published.unit, "m");
-  EXPECT_DOUBLE_EQ(comparison.ours[0], 4e-6);
-  EXPECT_DOUBLE_EQ(comparison.ours[1], 10e-6);
-  EXPECT_DOUBLE_EQ(comparison.ratio[0], 0.5);
-  EXPECT_TRUE(std::isnan(comparison.ratio[1]));
+  EXPECT_TRUE(std::isnan(comparison.ours[0])) << "unworn";
+  EXPECT_DOUBLE_EQ(comparison.ours[1], 4e-6);
+  EXPECT_DOUBLE_EQ(comparison.ours[2], 10e-6);
+  EXPECT_DOUBLE_EQ(comparison.ratio[1], 0.5);
+  EXPECT_TRUE(std::isnan(comparison.ratio[2]));
 }
 
 TEST(Published, UnknownThingsHaveNoValueAndUnknownMeasuresAreRefused) {
   const RunRecord run = test::make_run();
-  EXPECT_TRUE(std::isnan(compare_published(run, {"q", "Z", "wear_depth", {1.0}, ""}).ours[0]));
+  EXPECT_TRUE(std::isnan(compare_published(run, {"q", "Z", "wear_depth", {1.0, 1.0}, ""}).ours[1]));
   EXPECT_TRUE(std::isnan(compare_published(run, {"q", "Z.effort", "peak", {1.0}, ""}).ours[0]));
   EXPECT_THROW(compare_published(run, {"q", "A", "mean", {1.0}, ""}), NumericalError);
 }

@@ -19,15 +19,19 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-double find_peak(const StageRecord& stage, const std::string& channel) {
-  const ChannelStatistics* statistics = find_statistics(stage, channel);
+double find_peak(const RunRecord& run, std::size_t n_updates, const std::string& channel) {
+  const StageRecord* stage = find_stage(run, name_worn_stage(n_updates));
+  const ChannelStatistics* statistics = stage == nullptr ? nullptr : find_statistics(*stage, channel);
   return statistics == nullptr ? kNothing : statistics->peak();
 }
 
-double find_wear_depth(const RunRecord& run, const StageRecord& stage, const std::string& joint) {
-  const auto wear = std::ranges::find(stage.wear, joint, &JointWear::joint);
-  if (wear == stage.wear.end() || wear->total_depth_added.empty()) return kNothing;
-  const auto index = static_cast<std::size_t>(&stage - run.stages.data());
+// Of the surfaces after so many wear updates: what the stage before has added included. Unworn ones have none.
+double find_wear_depth(const RunRecord& run, std::size_t n_updates, const std::string& joint) {
+  const StageRecord* before = n_updates > 0 ? find_stage(run, name_worn_stage(n_updates - 1)) : nullptr;
+  if (before == nullptr) return kNothing;
+  const auto wear = std::ranges::find(before->wear, joint, &JointWear::joint);
+  if (wear == before->wear.end() || wear->total_depth_added.empty()) return kNothing;
+  const auto index = static_cast<std::size_t>(before - run.stages.data());
   return find_deepest(find_accumulated_depth(run, index, joint)).depth;
 }
 
@@ -56,9 +60,7 @@ PublishedComparison compare_published(const RunRecord& run, const PublishedRow& 
   PublishedComparison comparison{row, {}, {}, {}};
   comparison.published.unit = find_unit(run, row);
   for (std::size_t k = 0; k < row.values.size(); ++k) {
-    const StageRecord* stage = find_stage(run, name_worn_stage(k));
-    double ours = kNothing;
-    if (stage != nullptr) ours = depth ? find_wear_depth(run, *stage, row.channel) : find_peak(*stage, row.channel);
+    const double ours = depth ? find_wear_depth(run, k, row.channel) : find_peak(run, k, row.channel);
     const double theirs = row.values[k];
     comparison.ours.push_back(ours);
     comparison.ratio.push_back(theirs == 0.0 ? kNothing : std::abs(ours) / std::abs(theirs));

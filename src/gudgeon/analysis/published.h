@@ -15,9 +15,8 @@ namespace gudgeon {
 struct PublishedRow {
   std::string quantity;        ///< in words
   std::string channel;         ///< channel; for "wear_depth" the joint
-  std::string measure;         ///< "peak": value k of the stage after k wear updates ("no_wear", "wear_1" …)
-                               ///< "wear_depth": value k after k + 1 wear updates, the largest accumulated depth
-  std::vector<double> values;  ///< in SI; NaN where nothing was published
+  std::string measure;         ///< "peak" in a stage, or "wear_depth": the largest depth of the surfaces it ran on
+  std::vector<double> values;  ///< in SI, k of the stage after k wear updates ("no_wear", "wear_1" …); NaN for nothing
   std::string unit;            ///< SI; empty takes the channel's, or m for a depth
 };
 

@@ -18,17 +18,10 @@
 namespace gudgeon {
 namespace {
 
-/// The study counts published values by stage; a depth belongs to the surfaces that the stage ran on, so the first
-/// stage, on unworn ones, has none, and the rows are counted by wear updates.
 std::vector<PublishedRow> make_published(const Study& study) {
   std::vector<PublishedRow> rows;
   for (const PublishedValue& value : study.published) {
-    PublishedRow& row = rows.emplace_back();
-    row.quantity = value.quantity;
-    row.channel = value.channel;
-    row.measure = value.measure;
-    row.values = value.values;
-    if (row.measure == "wear_depth" && !row.values.empty()) row.values.erase(row.values.begin());
+    rows.push_back({value.quantity, value.channel, value.measure, value.values, {}});
   }
   return rows;
 }

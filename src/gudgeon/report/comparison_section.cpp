@@ -39,23 +39,18 @@ void add_error_row(Table& table, std::string& reasons, const StageRecord& stage,
   }
 }
 
-/// One table for the rows of one measure; values are named by name_value(k).
-template <class NameValue>
-std::string render_measure(std::span<const PublishedComparison> comparisons, std::string_view measure,
-                           NameValue name_value, bool color) {
+/// One table, three columns a stage.
+std::string render_comparisons(std::span<const PublishedComparison> comparisons, bool color) {
   std::size_t n_values = 0;
-  for (const auto& c : comparisons) {
-    if (c.published.measure == measure) n_values = std::max(n_values, c.ours.size());
-  }
+  for (const auto& c : comparisons) n_values = std::max(n_values, c.ours.size());
   std::vector<TableColumn> columns{{"quantity"}};
   for (std::size_t k = 0; k < n_values; ++k) {
-    columns.push_back({name_value(k), Alignment::right});
+    columns.push_back({name_worn_stage(k), Alignment::right});
     columns.push_back({"ours", Alignment::right});
     columns.push_back({"ratio", Alignment::right});
   }
   Table table(std::move(columns));
   for (const auto& c : comparisons) {
-    if (c.published.measure != measure) continue;
     std::vector<std::string> row{c.published.quantity};
     for (std::size_t k = 0; k < c.ours.size(); ++k) {
       row.push_back(format_engineering(c.published.values[k], c.published.unit));
@@ -107,10 +102,7 @@ std::string render_published(const RunRecord& run, std::span<const PublishedRow>
   if (published.empty()) return "";
   std::vector<PublishedComparison> comparisons;
   for (const PublishedRow& row : published) comparisons.push_back(compare_published(run, row));
-  const auto name_update = [](std::size_t k) { return fmt::format("wear update {}", k + 1); };
-  return render_title("Beside the published values", color) +
-         render_measure(comparisons, "peak", name_worn_stage, color) +
-         render_measure(comparisons, "wear_depth", name_update, color) + kWhatDiffers;
+  return render_title("Beside the published values", color) + render_comparisons(comparisons, color) + kWhatDiffers;
 }
 
 }  // namespace gudgeon
