@@ -28,7 +28,7 @@ RevoluteSurfaces make_surfaces(bool bearing_worn, bool journal_worn) {
 }
 
 // A journal that circles in its bearing while both bodies turn, at different rates and opposite senses.
-RevoluteMotion make_motion(double t) {
+RelativeMotion make_motion(double t) {
   const double radius = 5.2e-4 + 3e-5 * std::sin(5.0 * t);
   const double radius_rate = 1.5e-4 * std::cos(5.0 * t);
   const double direction = 0.4 - 3.0 * t;
@@ -47,8 +47,9 @@ TEST(RevoluteGap, UnwornIsEccentricityMinusClearance) {
   EXPECT_DOUBLE_EQ(gap.penetration_rate, 0.1);  // −0.6 · 0.1 + 0.8 · 0.2
   EXPECT_EQ(gap.bearing_radius, 15e-3);
   EXPECT_EQ(gap.journal_radius, 14.5e-3);
-  EXPECT_EQ(gap.bearing_slope, 0.0);
-  EXPECT_EQ(gap.journal_slope, 0.0);
+  EXPECT_EQ(gap.bearing_gradient, 0.0);
+  EXPECT_EQ(gap.journal_gradient, 0.0);
+  EXPECT_EQ(gap.gradient, gap.normal);
   EXPECT_NEAR(surfaces.least_clearance(), 0.5e-3, 1e-17);
 }
 
@@ -72,7 +73,7 @@ TEST(RevoluteGap, FindsWearWhereItIsInEachBody) {
     RevoluteSurfaces surfaces = make_surfaces(false, false);
     (on_bearing ? surfaces.bearing_wear : surfaces.journal_wear) = RadialProfile(depths);
     const auto find = [&](double direction) {
-      RevoluteMotion motion{6e-4 * Vec2{std::cos(direction), std::sin(direction)}, {}, 2.2, 2.2, 0.0, 0.0};
+      RelativeMotion motion{6e-4 * Vec2{std::cos(direction), std::sin(direction)}, {}, 2.2, 2.2, 0.0, 0.0};
       (on_bearing ? motion.bearing_angle : motion.journal_angle) = body_angle;
       return find_revolute_gap(surfaces, motion);
     };
@@ -85,8 +86,9 @@ TEST(RevoluteGap, FindsWearWhereItIsInEachBody) {
     EXPECT_NEAR(find(body_angle - worn_at).penetration, 1e-4, 1e-16);
     // A little before the middle a bearing's radius still grows along the angle, a journal's shrinks.
     const RevoluteGap before = find(body_angle + worn_at - 0.1);
-    EXPECT_EQ(before.bearing_slope > 0.0, on_bearing);
-    EXPECT_EQ(before.journal_slope < 0.0, !on_bearing);
+    // A body that turns on moves the place under the contact back along its surface.
+    EXPECT_EQ(before.bearing_gradient > 0.0, on_bearing);
+    EXPECT_EQ(before.journal_gradient > 0.0, !on_bearing);
   }
 }
 
@@ -105,6 +107,12 @@ TEST(RevoluteGap, RatesAreDerivatives) {
       // Lengths of 15 mm round to 2e-18 m, which is 2e-12 m/s over the step; rates are up to 1e-3 m/s.
       constexpr double kTolerance = 2e-11;
       EXPECT_NEAR(at.penetration_rate, difference(&RevoluteGap::penetration), kTolerance) << t;
+      const RelativeMotion motion = make_motion(t);
+      EXPECT_NEAR(at.penetration_rate,
+                  dot(at.gradient, motion.velocity) + at.bearing_gradient * motion.bearing_rate +
+                      at.journal_gradient * motion.journal_rate,
+                  1e-15)
+          << "the gradient gives the rate";
       EXPECT_NEAR(at.bearing_radius_rate, difference(&RevoluteGap::bearing_radius), kTolerance) << t;
       EXPECT_NEAR(at.journal_radius_rate, difference(&RevoluteGap::journal_radius), kTolerance) << t;
     }
@@ -116,7 +124,7 @@ TEST(RevoluteGap, DoesNotChangeWhenEverythingIsTurned) {
   for (const double turn : {-2.9, 0.4, 1.7, 13.0}) {
     const Rotation rotation = make_rotation(turn);
     for (double t = 0.0; t < 2.0; t += 0.11) {
-      RevoluteMotion motion = make_motion(t);
+      RelativeMotion motion = make_motion(t);
       const RevoluteGap before = find_revolute_gap(surfaces, motion);
       motion.offset = rotation * motion.offset;
       motion.velocity = rotation * motion.velocity;
@@ -126,7 +134,8 @@ TEST(RevoluteGap, DoesNotChangeWhenEverythingIsTurned) {
       EXPECT_NEAR(after.penetration, before.penetration, 1e-16);            // lengths of 15 mm
       EXPECT_NEAR(after.penetration_rate, before.penetration_rate, 1e-15);  // rates of 2 mm/s
       EXPECT_NEAR(after.bearing_radius, before.bearing_radius, 1e-16);
-      EXPECT_NEAR(after.journal_slope, before.journal_slope, 1e-15);
+      EXPECT_NEAR(after.journal_gradient, before.journal_gradient, 1e-15);
+      EXPECT_NEAR(norm(after.gradient - rotation * before.gradient), 0.0, 1e-14);
       EXPECT_NEAR(norm(after.normal - rotation * before.normal), 0.0, 1e-15);
     }
   }

@@ -43,7 +43,7 @@ TEST(DeliveredRestitution, IsWhatAnImpactReturns) {
   double penetration = 0.0;
   double rate = 3.0;
   do {  // symplectic Euler; its error at this step is below 1e-5
-    rate -= kStep * law({penetration, rate, 3.0, 1e6}).force / kMass;
+    rate -= kStep * law({penetration, rate, 3.0, 1e6, law.damping_factor()}).force / kMass;
     penetration += kStep * rate;
   } while (penetration > 0.0);
   EXPECT_NEAR(-rate / 3.0, find_delivered_restitution(0.75 * (1.0 - 0.25)), 1e-4);

@@ -22,7 +22,7 @@ template <class Law>
 class NormalForceFamily : public testing::Test {
  protected:
   [[nodiscard]] NormalForce eval(double penetration, double rate) const {
-    return law({penetration, rate, kOnset, kStiffness});
+    return law({penetration, rate, kOnset, kStiffness, law.damping_factor()});
   }
   Law law = make_sample_law<Law>();
 };
@@ -99,7 +99,7 @@ TYPED_TEST(NormalForceFamily, HandsOnNaN) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(this->eval(nan, 0.01).force));
   EXPECT_TRUE(std::isnan(this->eval(nan, 0.01).elastic_energy));
-  EXPECT_TRUE(std::isnan(this->law({1e-5, 0.01, kOnset, nan}).force));
+  EXPECT_TRUE(std::isnan(this->law({1e-5, 0.01, kOnset, nan, this->law.damping_factor()}).force));
 }
 
 TEST(Hertz, HasItsValue) {
@@ -123,16 +123,17 @@ TEST(Hertz, UsesItsExponent) {
 TEST(LankaraniNikravesh, HasItsValue) {
   // χ = 0.75 (1 − 0.25) = 0.5625; δ̇/δ̇₀ = 2 and −1: 8000 (1 ± …).
   const LankaraniNikravesh law{.restitution = 0.5, .exponent = 1.5};
-  EXPECT_DOUBLE_EQ(law({0.04, 0.2, 0.1, 1e6}).force, 8000.0 * 2.125);
-  EXPECT_DOUBLE_EQ(law({0.04, -0.1, 0.1, 1e6}).force, 8000.0 * 0.4375);
-  EXPECT_DOUBLE_EQ(law({0.04, -0.1, 0.1, 1e6}).elastic_force, 8000.0);
-  EXPECT_EQ(law({0.04, -0.2, 0.1, 1e6}).force, 0.0) << "1 − 1.125 would pull";
+  EXPECT_DOUBLE_EQ(law({0.04, 0.2, 0.1, 1e6, law.damping_factor()}).force, 8000.0 * 2.125);
+  EXPECT_DOUBLE_EQ(law({0.04, -0.1, 0.1, 1e6, law.damping_factor()}).force, 8000.0 * 0.4375);
+  EXPECT_DOUBLE_EQ(law({0.04, -0.1, 0.1, 1e6, law.damping_factor()}).elastic_force, 8000.0);
+  EXPECT_EQ(law({0.04, -0.2, 0.1, 1e6, law.damping_factor()}).force, 0.0) << "1 − 1.125 would pull";
 }
 
 TEST(LankaraniNikravesh, OfFullRestitutionIsHertz) {
   const LankaraniNikravesh law{.restitution = 1.0, .exponent = 1.5};
   for (const double rate : kRates) {
-    EXPECT_EQ(law({2e-5, rate, kOnset, kStiffness}).force, Hertz{}({2e-5, rate, kOnset, kStiffness}).force);
+    EXPECT_EQ(law({2e-5, rate, kOnset, kStiffness, law.damping_factor()}).force,
+              Hertz{}({2e-5, rate, kOnset, kStiffness}).force);
   }
 }
 

@@ -53,9 +53,13 @@ TextbookContactForce eval_contact(const RevoluteClearance& joint, const Textbook
   if (!latched.in_contact || !(contact.penetration > 0.0)) return contact;
 
   const double onset_speed = std::max(latched.onset_speed, joint.contact.onset_speed_floor);
-  const NormalContact input{contact.penetration, contact.penetration_rate, onset_speed, contact.stiffness};
+  const double damping_factor =
+      std::visit([](const auto& law) { return law.damping_factor(); }, joint.contact.normal_force);
+  const NormalContact input{contact.penetration, contact.penetration_rate, onset_speed, contact.stiffness,
+                            damping_factor};
   const NormalForce normal = std::visit([&](const auto& law) { return law(input); }, joint.contact.normal_force);
-  const double mu = std::visit([&](const auto& law) { return law(contact.slip_speed); }, joint.contact.friction);
+  const double mu = std::visit([&](const auto& law) { return law(FrictionContact{contact.slip_speed}).coefficient; },
+                               joint.contact.friction);
   contact.normal_force = normal.force;
   contact.elastic_energy = normal.elastic_energy;
   contact.friction_force = -mu * normal.force;

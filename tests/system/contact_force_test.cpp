@@ -55,7 +55,7 @@ Contact make_contact(const Surfaces& surfaces) {
 }
 
 // A journal that stays pressed in while it circles, and both bodies turn.
-RevoluteMotion make_pressed_motion(double t) {
+RelativeMotion make_pressed_motion(double t) {
   const double radius = 6.4e-4 + 2e-5 * std::sin(5.0 * t);
   const double radius_rate = 1e-4 * std::cos(5.0 * t);
   const double direction = 0.4 - 3.0 * t;
@@ -77,8 +77,8 @@ TEST(ContactForce, HasTheStiffnessOfThePaper) {
 
 TEST(ContactForce, IsNothingUnlessLatchedAndPressed) {
   const Contact contact = make_contact(0.5e-3);
-  const RevoluteMotion pressed = make_pressed_motion(0.0);
-  const RevoluteMotion apart{{0.4e-3, 0.0}, {1.0, 1.0}, 0.0, 0.0, 3.0, -3.0};
+  const RelativeMotion pressed = make_pressed_motion(0.0);
+  const RelativeMotion apart{{0.4e-3, 0.0}, {1.0, 1.0}, 0.0, 0.0, 3.0, -3.0};
   for (const ContactForces& forces :
        {find_contact_forces(contact, pressed, {false, 0.1}), find_contact_forces(contact, apart, {true, 0.1})}) {
     EXPECT_EQ(forces.normal_force, 0.0);
@@ -122,7 +122,7 @@ TEST(ContactForce, PressesBackAndRubsAgainstTheSlip) {
 
 TEST(ContactForce, ScalesDampingWithTheFloorAtLeast) {
   const Contact contact = make_contact(0.5e-3);
-  const RevoluteMotion approaching{{0.6e-3, 0.0}, {5e-4, 0.0}};
+  const RelativeMotion approaching{{0.6e-3, 0.0}, {5e-4, 0.0}};
   const auto force = [&](double onset) {
     return find_contact_forces(contact, approaching, {true, onset}).normal_force;
   };
@@ -137,7 +137,7 @@ TEST(ContactForce, TurnsNothingByItself) {
   for (const Surfaces& surfaces : kSurfaces) {
     const Contact contact = make_contact(surfaces);
     for (double t = 0.0; t < 2.0; t += 0.07) {
-      const RevoluteMotion motion = make_pressed_motion(t);
+      const RelativeMotion motion = make_pressed_motion(t);
       const ContactForces forces = find_contact_forces(contact, motion, {true, 0.1});
       ASSERT_GT(forces.normal_force, 0.0);
       const double moment =
@@ -153,7 +153,7 @@ TEST(ContactForce, PowerIsBalanced) {
     const Contact contact = make_contact(surfaces);
     const ContactLatch latch{true, 2e-3};
     for (double t = 0.0; t < 2.0; t += 0.07) {
-      const RevoluteMotion motion = make_pressed_motion(t);
+      const RelativeMotion motion = make_pressed_motion(t);
       const ContactForces forces = find_contact_forces(contact, motion, latch);
       const double power = dot(forces.force_on_journal, motion.velocity) +
                            forces.torque_on_bearing * motion.bearing_rate +

@@ -69,8 +69,8 @@ oracle::TextbookState make_textbook_state(const RandomStates& states, const orac
   oracle::TextbookState state = textbook.make_state();
   const auto poses = find_poses(states.system.mechanism, states.system.topology, states.workspace.coordinates);
   for (std::size_t b = 1; b < poses.size(); ++b) {
-    state.bodies[b] = textbook.place(static_cast<int>(b), poses[b].position, poses[b].angle, poses[b].velocity,
-                                     poses[b].angle_rate);
+    state.bodies[b] =
+        textbook.place(static_cast<int>(b), poses[b].position, poses[b].angle, poses[b].velocity, poses[b].angle_rate);
   }
   for (auto& contact : state.contacts) contact = {true, 0.07};
   return state;
@@ -165,7 +165,9 @@ TEST_P(EngineAgainstTextbook, EnergiesAgree) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllMechanisms, EngineAgainstTextbook, testing::ValuesIn(oracle::make_all_mechanisms()),
-                         [](const auto& mechanism) { return mechanism.param.name + "_" + std::to_string(mechanism.index); });
+                         [](const auto& mechanism) {
+                           return mechanism.param.name + "_" + std::to_string(mechanism.index);
+                         });
 
 }  // namespace
 }  // namespace gudgeon

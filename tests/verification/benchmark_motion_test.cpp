@@ -67,7 +67,8 @@ TEST_P(LoopCount, KeepsShapeAndEnergyThroughSingularPositions) {
   const StageRecord stage = run_seconds(oracle::make_n_four_bar(n), 10);
   double exchanged = 0.0;
   for (const double kinetic : *find_values(stage, "energy.kinetic")) exchanged = std::max(exchanged, kinetic);
-  for (const double residual : *find_values(stage, "energy.residual")) EXPECT_NEAR(residual, 0.0, kTolerance * exchanged);
+  for (const double residual : *find_values(stage, "energy.residual"))
+    EXPECT_NEAR(residual, 0.0, kTolerance * exchanged);
   for (std::size_t second = 0; second <= 10; ++second) {
     for (int bar = 1; bar <= n; ++bar) {
       const std::string name = "post_" + std::to_string(bar);

@@ -33,8 +33,7 @@ std::string find_side(double fold) {
 }
 
 bool find_has_clearance(const Mechanism& mechanism) {
-  return std::ranges::any_of(mechanism.joints,
-                             [](const Joint& joint) { return std::holds_alternative<RevoluteClearance>(joint.kind); });
+  return std::ranges::any_of(mechanism.joints, [](const Joint& joint) { return has_clearance(joint.kind); });
 }
 
 }  // namespace

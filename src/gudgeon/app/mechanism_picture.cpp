@@ -23,7 +23,7 @@ DrawnBody make_body(const Body& body, const BodyPose& pose) {
 }
 
 DrawnJointKind find_kind(const AnyJoint& joint) {
-  if (std::holds_alternative<RevoluteClearance>(joint)) return DrawnJointKind::clearance;
+  if (has_clearance(joint)) return DrawnJointKind::clearance;
   if (std::holds_alternative<Prismatic>(joint)) return DrawnJointKind::prismatic;
   if (std::holds_alternative<Rigid>(joint)) return DrawnJointKind::rigid;
   return DrawnJointKind::revolute;

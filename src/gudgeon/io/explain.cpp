@@ -145,6 +145,39 @@ void write_kind(const Prismatic& joint, SharedTables& /*shared*/, TomlLines& out
   start.write(out);
 }
 
+void write_kind(const PinInSlot& joint, SharedTables& /*shared*/, TomlLines& out) {
+  out.line("type", "\"pin_in_slot\"");
+  write_between(joint.first, joint.second, out);
+  out.line("direction", toml_quantity(joint.direction, dimension::kAngle));
+}
+
+void write_kind(const PrismaticClearance& joint, SharedTables& shared, TomlLines& out) {
+  out.line("type", "\"prismatic_clearance\"");
+  out.line("bearing", point_text(joint.bearing));
+  out.line("journal", point_text(joint.journal));
+  out.line("direction", toml_quantity(joint.direction, dimension::kAngle));
+  out.line("relative_angle", toml_quantity(joint.relative_angle, dimension::kAngle));
+  out.line("bearing_length", toml_quantity(joint.bearing_length, dimension::kLength));
+  out.line("journal_length", toml_quantity(joint.journal_length, dimension::kLength));
+  out.line("journal_height", toml_quantity(joint.journal_height, dimension::kLength));
+  out.line("corner_radius", toml_quantity(joint.corner_radius, dimension::kLength));
+  out.line("clearance", toml_quantity(joint.clearance, dimension::kLength));
+  out.line("width", toml_quantity(joint.width, dimension::kLength));
+  out.line("contact", toml_text(shared.contact_name(joint.contact)));
+}
+
+void write_kind(const PinInSlotClearance& joint, SharedTables& shared, TomlLines& out) {
+  out.line("type", "\"pin_in_slot_clearance\"");
+  out.line("bearing", point_text(joint.bearing));
+  out.line("journal", point_text(joint.journal));
+  out.line("direction", toml_quantity(joint.direction, dimension::kAngle));
+  out.line("bearing_length", toml_quantity(joint.bearing_length, dimension::kLength));
+  out.line("journal_radius", toml_quantity(joint.journal_radius, dimension::kLength));
+  out.line("clearance", toml_quantity(joint.clearance, dimension::kLength));
+  out.line("width", toml_quantity(joint.width, dimension::kLength));
+  out.line("contact", toml_text(shared.contact_name(joint.contact)));
+}
+
 void write_kind(const Rigid& joint, SharedTables& /*shared*/, TomlLines& out) {
   out.line("type", "\"rigid\"");
   write_between(joint.first, joint.second, out);

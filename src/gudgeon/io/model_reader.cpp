@@ -46,8 +46,8 @@ void update_with_overrides(DocumentNode& root, ModelFile& model) {
 void report_unused(const Mechanism& mechanism, std::span<const ContactProperties> contacts, Diagnostics& diagnostics) {
   for (const ContactProperties& contact : contacts) {
     const bool used = std::ranges::any_of(mechanism.joints, [&](const Joint& joint) {
-      const auto* clearance = std::get_if<RevoluteClearance>(&joint.kind);
-      return clearance != nullptr && clearance->contact.name == contact.name;
+      const ContactProperties* properties = find_contact(joint.kind);
+      return properties != nullptr && properties->name == contact.name;
     });
     if (used) continue;
     diagnostics.remark("R-FILE-001", "contacts." + contact.name,

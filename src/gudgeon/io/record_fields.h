@@ -35,6 +35,8 @@ inline constexpr std::array kEnergyReals{
     Field<EnergyLedger, double>{"potential", "J", &EnergyLedger::potential},
     Field<EnergyLedger, double>{"elastic", "J", &EnergyLedger::elastic},
     Field<EnergyLedger, double>{"driver_work", "J", &EnergyLedger::driver_work},
+    Field<EnergyLedger, double>{"load_work", "J", &EnergyLedger::load_work},
+    Field<EnergyLedger, double>{"damper_loss", "J", &EnergyLedger::damper_loss},
     Field<EnergyLedger, double>{"contact_damping", "J", &EnergyLedger::contact_damping},
     Field<EnergyLedger, double>{"friction", "J", &EnergyLedger::friction},
     Field<EnergyLedger, double>{"surface_work", "J", &EnergyLedger::surface_work},

@@ -30,8 +30,7 @@ void check_start(CheckRules& rules, const Body& body, const std::string& subject
 bool is_held(const Mechanism& mechanism, const Body& body) {
   return std::ranges::any_of(mechanism.joints, [&](const Joint& joint) {
     const auto [first, second] = anchors(joint.kind);
-    return !std::holds_alternative<RevoluteClearance>(joint.kind) &&
-           (first.body == body.name || second.body == body.name);
+    return !has_clearance(joint.kind) && (first.body == body.name || second.body == body.name);
   });
 }
 

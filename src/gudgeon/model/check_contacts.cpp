@@ -38,26 +38,12 @@ std::optional<double> find_parameter(const Law& law, std::string_view symbol) {
   return std::nullopt;
 }
 
-/// χ of a law of the shape F = K δⁿ (1 + χ δ̇/δ̇₀), tried at two speeds and two penetrations.
-template <class Law>
-std::optional<double> find_damping_factor(const Law& law) {
-  constexpr double kAgreement = 1e-9;  // far above rounding, far below any other law's difference
-  const auto damping = [&law](double penetration, double rate) {
-    const NormalForce force = law(NormalContact{penetration, rate, 1.0, 1.0});
-    return force.force / force.elastic_force - 1.0;
-  };
-  const double factor = damping(1.0, 1.0);
-  const bool linear = std::abs(damping(1.0, 0.5) - 0.5 * factor) < kAgreement;
-  const bool proportional = std::abs(damping(0.5, 1.0) - factor) < kAgreement;
-  return linear && proportional ? std::optional{factor} : std::nullopt;
-}
-
 template <class Law>
 void remark_restitution(CheckRules& rules, const Law& law, const std::string& subject, const std::string& path) {
   if constexpr (requires { law.restitution; }) {
-    const std::optional<double> factor = find_damping_factor(law);
-    if (!factor || !(*factor >= 0.0)) return;
-    const double delivered = find_delivered_restitution(*factor);
+    const double factor = law.damping_factor();
+    if (!(factor > 0.0)) return;
+    const double delivered = find_delivered_restitution(factor);
     if (std::abs(delivered - law.restitution) <= kRestitutionMargin) return;
     rules.diagnostics.remark("R-MODEL-101", path + ".restitution",
                              fmt::format("{}: restitution is {:.6g}, but {} delivers {:.3f}", subject, law.restitution,
@@ -118,9 +104,9 @@ void check_contacts(CheckRules& rules) {
   std::set<std::string> seen_contacts;
   std::set<std::string> seen_materials;
   for (const Joint& joint : rules.mechanism.joints) {
-    const auto* clearance = std::get_if<RevoluteClearance>(&joint.kind);
-    if (clearance == nullptr) continue;
-    const ContactProperties& contact = clearance->contact;
+    const ContactProperties* properties = find_contact(joint.kind);
+    if (properties == nullptr) continue;
+    const ContactProperties& contact = *properties;
     if (contact.name.empty()) {
       rules.diagnostics.error("E-MODEL-032", fmt::format("joints.{}.contact", joint.name),
                               fmt::format("joint '{}' has no contact", joint.name));

@@ -87,8 +87,8 @@ bool wears(const AnyWear& wear) { return !std::holds_alternative<NoWear>(wear); 
 void check_wear(CheckRules& rules) {
   const Study& study = rules.study;
   const bool any_wear = std::ranges::any_of(rules.mechanism.joints, [](const Joint& joint) {
-    const auto* clearance = std::get_if<RevoluteClearance>(&joint.kind);
-    return clearance != nullptr && (wears(clearance->contact.bearing_wear) || wears(clearance->contact.journal_wear));
+    const ContactProperties* contact = find_contact(joint.kind);
+    return contact != nullptr && (wears(contact->bearing_wear) || wears(contact->journal_wear));
   });
   if (study.wear_stages > 0 && !any_wear) {
     rules.diagnostics.warning(

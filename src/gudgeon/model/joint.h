@@ -36,6 +36,13 @@ struct Prismatic {
   std::optional<double> start_speed;         ///< [m/s]
 };
 
+/// The second point stays on a line through the first; the bodies turn freely.
+struct PinInSlot {
+  Anchor first;
+  Anchor second;
+  double direction = 0.0;  ///< [rad] of the line, in the first body's axes
+};
+
 /// The two points coincide and the bodies keep their relative angle.
 struct Rigid {
   Anchor first;
@@ -78,18 +85,68 @@ struct RevoluteClearance {
   ContactProperties contact;
 };
 
-using AnyJoint = std::variant<Revolute, Prismatic, Rigid, RevoluteClearance>;
+/// A guide with clearance: a block, the journal, slides, tilts and knocks between the two sides of a slot, the bearing.
+/// Each of its four rounded corners touches the side it faces. Without clearance it is a Prismatic.
+struct PrismaticClearance {
+  Anchor bearing;               ///< the middle of the slot
+  Anchor journal;               ///< the middle of the block
+  double direction = 0.0;       ///< [rad] of the slot, in the bearing's body
+  double relative_angle = 0.0;  ///< [rad] θ_journal − θ_bearing at which the block lies along the slot
+  double bearing_length = 0.0;  ///< [m] of the slot
+  double journal_length = 0.0;  ///< [m] of the block, along the slot
+  double journal_height = 0.0;  ///< [m] of the block, across the slot
+  double corner_radius = 0.0;   ///< R_j [m] of the block's corners
+  double clearance = 0.0;       ///< c [m] on either side: the slot is journal_height + 2 c wide
+  double width = 0.0;           ///< w [m] along the axis
+  ContactProperties contact;
+};
+
+/// A pin, the journal, in a slot that is wider than it, the bearing. Without clearance it is a PinInSlot.
+struct PinInSlotClearance {
+  Anchor bearing;               ///< the middle of the slot
+  Anchor journal;               ///< the centre of the pin
+  double direction = 0.0;       ///< [rad] of the slot, in the bearing's body
+  double bearing_length = 0.0;  ///< [m] of the slot
+  double journal_radius = 0.0;  ///< R_j [m]
+  double clearance = 0.0;       ///< c [m] on either side: the slot is 2 (R_j + c) wide
+  double width = 0.0;           ///< w [m] along the axis
+  ContactProperties contact;
+};
+
+using AnyJoint =
+    std::variant<Revolute, Prismatic, PinInSlot, Rigid, RevoluteClearance, PrismaticClearance, PinInSlotClearance>;
 
 struct Joint {
   std::string name;
   AnyJoint kind;
 };
 
+/// A joint whose surfaces touch only now and then.
+template <class Kind>
+concept ClearanceJoint = requires(const Kind kind) {
+  kind.contact;
+};
+
+/// Contact properties of a clearance joint; nullptr for an ideal joint.
+inline const ContactProperties* find_contact(const AnyJoint& joint) {
+  return std::visit(
+      []<class Kind>(const Kind& kind) -> const ContactProperties* {
+        if constexpr (ClearanceJoint<Kind>) {
+          return &kind.contact;
+        } else {
+          return nullptr;
+        }
+      },
+      joint);
+}
+
+inline bool has_clearance(const AnyJoint& joint) { return find_contact(joint) != nullptr; }
+
 /// The two points a joint connects; for a clearance joint the bearing comes first.
 inline std::pair<const Anchor&, const Anchor&> anchors(const AnyJoint& joint) {
   return std::visit(
       []<class Kind>(const Kind& kind) -> std::pair<const Anchor&, const Anchor&> {
-        if constexpr (std::same_as<Kind, RevoluteClearance>) {
+        if constexpr (ClearanceJoint<Kind>) {
           return {kind.bearing, kind.journal};
         } else {
           return {kind.first, kind.second};

@@ -16,6 +16,19 @@ int find_named(const std::vector<Named>& items, std::string_view name) {
   return found == items.end() ? -1 : static_cast<int>(found - items.begin());
 }
 
+template <class Kind>
+AnyJoint make_ideal(const Kind& kind) {
+  return kind;
+}
+
+AnyJoint make_ideal(const RevoluteClearance& kind) { return Revolute{kind.bearing, kind.journal}; }
+
+AnyJoint make_ideal(const PrismaticClearance& kind) {
+  return Prismatic{kind.bearing, kind.journal, kind.direction, kind.relative_angle, {}, {}};
+}
+
+AnyJoint make_ideal(const PinInSlotClearance& kind) { return PinInSlot{kind.bearing, kind.journal, kind.direction}; }
+
 }  // namespace
 
 int find_body(const Mechanism& mechanism, std::string_view name) { return find_named(mechanism.bodies, name); }
@@ -30,9 +43,7 @@ const Point* find_point(const Body& body, std::string_view name) {
 Mechanism make_ideal(const Mechanism& mechanism) {
   Mechanism ideal = mechanism;
   for (Joint& joint : ideal.joints) {
-    if (const auto* clearance = std::get_if<RevoluteClearance>(&joint.kind)) {
-      joint.kind = Revolute{clearance->bearing, clearance->journal};
-    }
+    joint.kind = std::visit([](const auto& kind) { return make_ideal(kind); }, joint.kind);
   }
   return ideal;
 }

@@ -31,7 +31,7 @@ int find_joint(const Mechanism& mechanism, std::string_view name);
 /// The point of that name on a body; nullptr when there is none.
 const Point* find_point(const Body& body, std::string_view name);
 
-/// The same mechanism with every clearance joint replaced by an ideal revolute joint.
+/// The same mechanism with every clearance joint replaced by its ideal counterpart.
 Mechanism make_ideal(const Mechanism& mechanism);
 
 }  // namespace gudgeon

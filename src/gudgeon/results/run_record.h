@@ -42,17 +42,20 @@ struct ContactEvent {
 struct EnergyLedger {
   double initial_energy = 0.0;   ///< kinetic + potential + elastic at the start
   double kinetic = 0.0;          ///< at the end
-  double potential = 0.0;        ///< of gravity and constant loads, at the end
+  double potential = 0.0;        ///< of gravity, constant loads and springs, at the end
   double elastic = 0.0;          ///< stored in contacts, at the end
   double driver_work = 0.0;      ///< done by the drivers
+  double load_work = 0.0;        ///< done by variable forces and torques
+  double damper_loss = 0.0;      ///< lost in dampers
   double contact_damping = 0.0;  ///< lost in contacts along their normal
   double friction = 0.0;         ///< lost in contacts along their slip
   double surface_work = 0.0;     ///< done by worn surfaces whose law is not conservative
-  double exchanged = 0.0;        ///< time integral of the magnitudes of driver, load, damping and friction power
+  double exchanged = 0.0;  ///< time integral of the magnitudes of the powers of drivers, loads, damping and friction
 
   /// What is missing: energy now − energy at the start − work done on the mechanism.
   [[nodiscard]] double residual() const {
-    return (kinetic + potential + elastic) - initial_energy - driver_work + contact_damping + friction - surface_work;
+    return (kinetic + potential + elastic) - initial_energy - driver_work - load_work - surface_work + damper_loss +
+           contact_damping + friction;
   }
 };
 

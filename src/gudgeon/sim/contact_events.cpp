@@ -44,7 +44,7 @@ void ContactEvents::find_gaps(Workspace& workspace, std::vector<GapState>& gaps)
 
 GapState ContactEvents::find_gap(std::size_t contact, const Workspace& workspace) const noexcept {
   const Contact& at = tables_->contacts[contact];
-  const RevoluteMotion motion = find_contact_motion(at, workspace);
+  const RelativeMotion motion = find_contact_motion(at, workspace);
   const RevoluteGap gap = find_revolute_gap(at.surfaces, motion);
   const double turning = gap.eccentricity > 0.0 ? cross(gap.normal, motion.velocity) / gap.eccentricity : 0.0;
   const double fastest = std::max(std::abs(turning - motion.bearing_rate), std::abs(turning - motion.journal_rate));

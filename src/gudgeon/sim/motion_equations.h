@@ -13,7 +13,16 @@
 namespace gudgeon {
 
 /// The integrals of power [J] that stand behind coordinates and rates in the integrator's vector.
-enum EnergyIntegral : int { kDriverWork, kContactDamping, kFrictionLoss, kSurfaceWork, kExchanged, kEnergyIntegrals };
+enum EnergyIntegral : int {
+  kDriverWork,
+  kLoadWork,
+  kDamperLoss,
+  kContactDamping,
+  kFrictionLoss,
+  kSurfaceWork,
+  kExchanged,
+  kEnergyIntegrals
+};
 
 /// What wear needs to know of one contact at one stage of a step.
 struct ContactSample {
@@ -51,6 +60,7 @@ class MotionEquations {
     }
     double* power = slope + 2 * n_free_;
     power[kDriverWork] = find_driver_power(*tables_, workspace);
+    power[kLoadWork] = power[kDamperLoss] = 0.0;
     power[kContactDamping] = power[kFrictionLoss] = power[kSurfaceWork] = 0.0;
     for (const ContactForces& forces : workspace.contact_forces) {
       power[kContactDamping] += forces.damping_power;

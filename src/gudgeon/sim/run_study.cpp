@@ -59,8 +59,7 @@ class StudyRunner {
         finished_(std::move(finished)),
         assembly_(assemble(mechanism)),
         cycle_time_(find_cycle_time(mechanism, study)),
-        has_clearance_(std::ranges::any_of(
-            mechanism.joints, [](const Joint& j) { return std::holds_alternative<RevoluteClearance>(j.kind); })),
+        has_clearance_(std::ranges::any_of(mechanism.joints, [](const Joint& j) { return has_clearance(j.kind); })),
         n_stages_(has_clearance_ ? (study.compare_ideal ? 1 : 0) + 1 + study.wear_stages : 1) {}
 
   std::vector<StageRecord> run() {

@@ -125,7 +125,7 @@ void StageRecorder::fill_bodies() {
 void StageRecorder::fill_clearances(const Workspace& workspace, std::span<const ContactLatch> latches) {
   for (std::size_t k = 0; k < latches.size(); ++k) {
     const Contact& contact = system_->tables.contacts[k];
-    const RevoluteMotion motion = find_contact_motion(contact, workspace);
+    const RelativeMotion motion = find_contact_motion(contact, workspace);
     const RevoluteGap gap = find_revolute_gap(contact.surfaces, motion);
     const ContactForces& forces = workspace.contact_forces[k];
     put(motion.offset), put(motion.velocity);

@@ -110,7 +110,7 @@ void StageRun::note_contact_change(std::size_t k) {
     history_.end(k, motion_.time());
     return;
   }
-  const RevoluteMotion at = find_contact_motion(system_.tables.contacts[k], equations.workspace);
+  const RelativeMotion at = find_contact_motion(system_.tables.contacts[k], equations.workspace);
   const double direction = std::atan2(at.offset.y, at.offset.x) - at.bearing_angle;
   history_.begin(k, motion_.time(), motion_.gaps()[k].penetration_rate,
                  std::remainder(direction, 2.0 * std::numbers::pi));
@@ -184,6 +184,8 @@ void StageRun::finish() {
   ledger.potential = energies.potential;
   ledger.elastic = energies.elastic;
   ledger.driver_work = integrals[kDriverWork];
+  ledger.load_work = integrals[kLoadWork];
+  ledger.damper_loss = integrals[kDamperLoss];
   ledger.contact_damping = integrals[kContactDamping];
   ledger.friction = integrals[kFrictionLoss];
   ledger.surface_work = integrals[kSurfaceWork];

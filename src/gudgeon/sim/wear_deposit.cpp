@@ -46,10 +46,9 @@ void WearDeposit::add(const ContactSample& sample, double weight) noexcept {
   impulse_ += weight * sample.normal_force;
   const double length = find_contact_arc(sample.penetration, sample.bearing_radius, sample.journal_radius).length;
   const double pressure = sample.normal_force / (contact_->width * length);
-  const double bearing_depth =
-      weight * std::visit([&](const auto& law) { return law(pressure, speed); }, contact_->bearing_wear);
-  const double journal_depth =
-      weight * std::visit([&](const auto& law) { return law(pressure, speed); }, contact_->journal_wear);
+  const WearContact wear{pressure, speed};
+  const double bearing_depth = weight * std::visit([&](const auto& law) { return law(wear); }, contact_->bearing_wear);
+  const double journal_depth = weight * std::visit([&](const auto& law) { return law(wear); }, contact_->journal_wear);
   volume_ += (bearing_depth + journal_depth) * length * contact_->width;
 
   const double direction = std::atan2(sample.normal.y, sample.normal.x);

@@ -246,6 +246,9 @@ class TableCompiler {
     contact.surfaces.bearing_radius = joint.bearing_radius;
     contact.surfaces.journal_radius = joint.bearing_radius - joint.radial_clearance;
     contact.stiffness_factor = find_stiffness_factor(joint.contact.bearing_material, joint.contact.journal_material);
+    contact.contact_modulus = find_contact_modulus(joint.contact.bearing_material, joint.contact.journal_material);
+    contact.damping_factor =
+        std::visit([](const auto& law) { return law.damping_factor(); }, joint.contact.normal_force);
     contact.width = joint.width;
     contact.normal_force = joint.contact.normal_force;
     contact.friction = joint.contact.friction;

@@ -12,12 +12,15 @@
 namespace gudgeon {
 
 double find_stiffness_factor(const Material& bearing, const Material& journal) {
-  // π σ = (1 − ν²)/E, so that π cancels against the one in the formula.
-  const auto compliance = [](const Material& m) { return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus; };
-  return 4.0 / (3.0 * (compliance(bearing) + compliance(journal)));
+  return 4.0 / 3.0 * find_contact_modulus(bearing, journal);
 }
 
-RevoluteMotion find_contact_motion(const Contact& contact, const Coordinates& coordinates, Vec2 bearing_position,
+double find_contact_modulus(const Material& bearing, const Material& journal) {
+  const auto compliance = [](const Material& m) { return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus; };
+  return 1.0 / (compliance(bearing) + compliance(journal));
+}
+
+RelativeMotion find_contact_motion(const Contact& contact, const Coordinates& coordinates, Vec2 bearing_position,
                                    Vec2 bearing_velocity, Vec2 journal_position, Vec2 journal_velocity) noexcept {
   return {journal_position - bearing_position,
           journal_velocity - bearing_velocity,
@@ -27,18 +30,23 @@ RevoluteMotion find_contact_motion(const Contact& contact, const Coordinates& co
           coordinates.angle_rate[contact.journal_turn]};
 }
 
-ContactForces find_contact_forces(const Contact& contact, const RevoluteMotion& motion,
-                                  const ContactLatch& latch) noexcept {
+ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
+                                  double bristle) noexcept {
   ContactForces forces;
   forces.gap = find_revolute_gap(contact.surfaces, motion);
   const RevoluteGap& gap = forces.gap;
   if (!latch.in_contact || gap.penetration <= 0.0) return forces;  // NaN goes on, to be seen
 
   // Along the normal.
-  const double clearance = gap.bearing_radius - gap.journal_radius;
-  const double stiffness = contact.stiffness_factor * std::sqrt(gap.bearing_radius * gap.journal_radius / clearance);
-  const NormalContact kinematics{gap.penetration, gap.penetration_rate,
-                                 std::max(latch.onset_speed, contact.onset_speed_floor), stiffness};
+  const NormalContact kinematics{gap.penetration,
+                                 gap.penetration_rate,
+                                 std::max(latch.onset_speed, contact.onset_speed_floor),
+                                 contact.stiffness_factor * std::sqrt(gap.relative_radius),
+                                 contact.damping_factor,
+                                 gap.bearing_radius,
+                                 gap.journal_radius,
+                                 contact.width,
+                                 contact.contact_modulus};
   const NormalForce normal = std::visit([&](const auto& law) { return law(kinematics); }, contact.normal_force);
   forces.normal_force = normal.force;
   forces.elastic_energy = normal.elastic_energy;
@@ -46,35 +54,30 @@ ContactForces find_contact_forces(const Contact& contact, const RevoluteMotion& 
 
   // Along the slip, at the middle of the overlap.
   const Vec2 tangent = perp(gap.normal);
-  const double journal_lever = gap.journal_radius - 0.5 * gap.penetration;
-  const double bearing_lever = gap.eccentricity + journal_lever;
   forces.slip_speed =
-      dot(tangent, motion.velocity) + motion.journal_rate * journal_lever - motion.bearing_rate * bearing_lever;
-  const double friction_coefficient =
-      std::visit([&](const auto& law) { return law(forces.slip_speed); }, contact.friction);
-  forces.friction_force = friction_coefficient * normal.force;
+      dot(tangent, motion.velocity) + motion.journal_rate * gap.journal_lever - motion.bearing_rate * gap.bearing_lever;
+  const Friction friction = std::visit(
+      [&](const auto& law) {
+        return law(FrictionContact{forces.slip_speed, bristle});
+      },
+      contact.friction);
+  forces.friction_force = friction.coefficient * normal.force;
+  forces.bristle_rate = friction.bristle_rate;
   forces.friction_power = forces.friction_force * forces.slip_speed;
+  forces.force_on_journal = -forces.friction_force * tangent;
+  forces.torque_on_journal = -forces.friction_force * gap.journal_lever;
+  forces.torque_on_bearing = forces.friction_force * gap.bearing_lever;
 
-  double across = -forces.friction_force;
-  forces.torque_on_journal = -forces.friction_force * journal_lever;
-  forces.torque_on_bearing = forces.friction_force * bearing_lever;
-  if (contact.surfaces.is_worn()) {
-    // Of a worn surface, dlnK/dt = ½ [Ṙ_i/R_i + Ṙ_j/R_j − (Ṙ_i − Ṙ_j)/c]: energy stored at one place of the surface is
-    // given back at another with another stiffness.
-    const double radius_rate = gap.bearing_radius_rate - gap.journal_radius_rate;
-    forces.surface_power = 0.5 * normal.elastic_energy *
-                           (gap.bearing_radius_rate / gap.bearing_radius +
-                            gap.journal_radius_rate / gap.journal_radius - radius_rate / clearance);
-    if (contact.normal_direction == NormalDirection::gap_gradient) {
-      // −F ∂δ/∂r and −F ∂δ/∂θ of δ = e − R_i(φ − θ_i) + R_j(φ − θ_j).
-      across += normal.force * (gap.bearing_slope - gap.journal_slope) / gap.eccentricity;
-      forces.torque_on_bearing -= normal.force * gap.bearing_slope;
-      forces.torque_on_journal += normal.force * gap.journal_slope;
-    } else {
-      forces.surface_power -= normal.force * radius_rate;  // ė − δ̇
-    }
+  // Energy stored at one place of a worn surface is given back at another with another stiffness: K grows with √R_r.
+  forces.surface_power = 0.5 * normal.elastic_energy * gap.relative_radius_rate;
+  if (contact.normal_direction == NormalDirection::gap_gradient) {
+    forces.force_on_journal -= normal.force * gap.gradient;
+    forces.torque_on_bearing -= normal.force * gap.bearing_gradient;
+    forces.torque_on_journal -= normal.force * gap.journal_gradient;
+  } else {
+    forces.force_on_journal -= normal.force * gap.normal;
+    forces.surface_power -= normal.force * (dot(gap.normal, motion.velocity) - gap.penetration_rate);
   }
-  forces.force_on_journal = -normal.force * gap.normal + across * tangent;
   return forces;
 }
 

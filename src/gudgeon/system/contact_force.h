@@ -23,6 +23,8 @@ struct Contact {
 
   RevoluteSurfaces surfaces;
   double stiffness_factor = 0.0;  ///< 4/(3π(σ_i + σ_j)) [Pa], σ = (1 − ν²)/(πE)
+  double contact_modulus = 0.0;   ///< E* [Pa], 1/E* = (1 − ν_i²)/E_i + (1 − ν_j²)/E_j
+  double damping_factor = 0.0;    ///< χ [1] of the law of normal force
   double width = 0.0;             ///< w [m]
   AnyNormalForce normal_force;
   AnyFriction friction;
@@ -44,6 +46,7 @@ struct ContactForces {
   double slip_speed = 0.0;         ///< v [m/s] of the journal's surface relative to the bearing's, along perp(n)
   double normal_force = 0.0;       ///< F [N] >= 0
   double friction_force = 0.0;     ///< μ(v) F [N], of v's sign; acts on the journal along −perp(n)
+  double bristle_rate = 0.0;       ///< ż [m/s] of the bristle, where the law has one
   double elastic_energy = 0.0;     ///< U [J]
   Vec2 force_on_journal;           ///< [N] in the frame's axes, to be taken at the journal's centre
   double torque_on_bearing = 0.0;  ///< [N m] about the bearing's centre, beside −force_on_journal there
@@ -54,16 +57,19 @@ struct ContactForces {
 };
 
 /// Position and motion of the contact, from the motion of its two points and bodies.
-RevoluteMotion find_contact_motion(const Contact& contact, const struct Coordinates& coordinates, Vec2 bearing_position,
+RelativeMotion find_contact_motion(const Contact& contact, const struct Coordinates& coordinates, Vec2 bearing_position,
                                    Vec2 bearing_velocity, Vec2 journal_position, Vec2 journal_velocity) noexcept;
 
 /// The forces of a contact that is latched. Both bodies feel equal and opposite forces at one common point in the
-/// middle of the overlap, so momentum and angular momentum are kept. Stiffness K = factor sqrt(R_i R_j/(R_i − R_j)),
-/// eq. (35), with the local worn radii. Eqs. (6) to (16) of the paper.
-ContactForces find_contact_forces(const Contact& contact, const RevoluteMotion& motion,
-                                  const ContactLatch& latch) noexcept;
+/// middle of the overlap, so momentum and angular momentum are kept. Stiffness K = factor √R_r, eq. (35), with the
+/// local worn radii. bristle z [m] is the deflection of the contact's bristle, where its friction law has one. Eqs. (6)
+/// to (16) of the paper.
+ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
+                                  double bristle = 0.0) noexcept;
 
 /// 4/(3π(σ_i + σ_j)) [Pa]: what eq. (8) multiplies the radii's root with.
 double find_stiffness_factor(const Material& bearing, const Material& journal);
+/// E* [Pa], 1/E* = (1 − ν_i²)/E_i + (1 − ν_j²)/E_j.
+double find_contact_modulus(const Material& bearing, const Material& journal);
 
 }  // namespace gudgeon

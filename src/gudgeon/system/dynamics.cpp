@@ -43,7 +43,7 @@ void update_contact_motions(const Tables& tables, Workspace& workspace) noexcept
   tables.contact_points.find_motions(workspace.coordinates, workspace.contact_motions.data());
 }
 
-RevoluteMotion find_contact_motion(const Contact& contact, const Workspace& workspace) noexcept {
+RelativeMotion find_contact_motion(const Contact& contact, const Workspace& workspace) noexcept {
   const auto& bearing = workspace.contact_motions[contact.bearing_row];
   const auto& journal = workspace.contact_motions[contact.journal_row];
   return find_contact_motion(contact, workspace.coordinates, bearing.position, bearing.velocity, journal.position,

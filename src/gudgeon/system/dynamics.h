@@ -24,7 +24,7 @@ void update_coordinates(const Tables& tables, double t, const double* q, const d
 void update_contact_motions(const Tables& tables, Workspace& workspace) noexcept;
 
 /// The state of one contact's gap; needs update_contact_motions.
-RevoluteMotion find_contact_motion(const Contact& contact, const Workspace& workspace) noexcept;
+RelativeMotion find_contact_motion(const Contact& contact, const Workspace& workspace) noexcept;
 
 /// Solves [H Jᵀ; J 0] [q̈; −λ] = [Q; γ] for the state (t, q, v) with the given latches, one a contact.
 /// Writes all of the workspace; the accelerations are workspace.equations[0 … n_free). No allocation, no exception.

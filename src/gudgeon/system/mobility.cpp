@@ -14,7 +14,7 @@ namespace gudgeon {
 namespace {
 
 int count_rows(const AnyJoint& joint) {
-  if (std::holds_alternative<RevoluteClearance>(joint)) return 0;
+  if (has_clearance(joint)) return 0;
   return std::holds_alternative<Rigid>(joint) ? 3 : 2;
 }
 

@@ -105,7 +105,7 @@ class TopologyBuilder {
     std::vector<Edge> edges;
     for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
       const AnyJoint& kind = mechanism_.joints[j].kind;
-      if (std::holds_alternative<RevoluteClearance>(kind)) continue;
+      if (has_clearance(kind)) continue;
       const auto [first, second] = anchors(kind);
       edges.push_back({j, find_body(mechanism_, first.body), find_body(mechanism_, second.body),
                        std::holds_alternative<Prismatic>(kind) && slide_driver_[j] < 0});
@@ -219,7 +219,7 @@ class TopologyBuilder {
   void collect_closures() {
     for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
       const AnyJoint& kind = mechanism_.joints[j].kind;
-      if (joint_in_tree_[j] || std::holds_alternative<RevoluteClearance>(kind)) continue;
+      if (joint_in_tree_[j] || has_clearance(kind)) continue;
       topology_.closures.push_back({j, std::holds_alternative<Prismatic>(kind) && slide_driver_[j] < 0});
     }
   }

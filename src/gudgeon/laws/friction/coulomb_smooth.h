@@ -19,6 +19,7 @@ struct CoulombSmooth {
   double kinetic_coefficient = kRequired;  ///< μ_k [1]
   double transition_speed = 1e-3;          ///< v_t [m/s]
 
+  static constexpr bool kHasBristle = false;
   static constexpr std::string_view kName = "coulomb_smooth";
   static constexpr std::string_view kFormula = "μ = μ_k tanh(v/v_t)";
   static constexpr std::array<Parameter<CoulombSmooth>, 2> kParameters{{
@@ -28,8 +29,8 @@ struct CoulombSmooth {
        &CoulombSmooth::transition_speed},
   }};
 
-  double operator()(double slip_speed) const noexcept {
-    return kinetic_coefficient * std::tanh(slip_speed / transition_speed);
+  Friction operator()(const FrictionContact& contact) const noexcept {
+    return {kinetic_coefficient * std::tanh(contact.slip_speed / transition_speed)};
   }
 };
 static_assert(FrictionLaw<CoulombSmooth>);

@@ -10,11 +10,24 @@
 
 namespace gudgeon {
 
-/// A friction law maps the slip speed v [m/s] of the journal surface relative to the bearing surface to the signed
-/// coefficient μ(v) [1]: odd in v, of v's sign. The force on the journal is −μ F along the slip direction.
+/// State of one contact along its slip.
+struct FrictionContact {
+  double slip_speed;                ///< v [m/s] of the journal's surface relative to the bearing's
+  double bristle_deflection = 0.0;  ///< z [m], zero at contact onset
+};
+
+struct Friction {
+  double coefficient;         ///< μ [1]; the force on the journal is −μ F along the slip direction
+  double bristle_rate = 0.0;  ///< ż [m/s]
+};
+
+/// A friction law maps slip speed v and, when it has a bristle, its deflection z to the signed coefficient μ and to ż.
+/// Odd: μ(−v, −z) = −μ(v, z). Without a bristle μ has v's sign.
 template <class Law>
-concept FrictionLaw = LawValue<Law> && requires(const Law law, double slip_speed) {
-  { law(slip_speed) } noexcept -> std::same_as<double>;
+concept FrictionLaw = LawValue<Law> && requires(const Law law, const FrictionContact contact) {
+  { law(contact) }
+  noexcept->std::same_as<Friction>;
+  { Law::kHasBristle } -> std::convertible_to<bool>;
 };
 
 }  // namespace gudgeon

@@ -12,11 +12,12 @@ namespace gudgeon {
 
 /// μ = 0
 struct Frictionless {
+  static constexpr bool kHasBristle = false;
   static constexpr std::string_view kName = "frictionless";
   static constexpr std::string_view kFormula = "μ = 0";
   static constexpr std::array<Parameter<Frictionless>, 0> kParameters{};
 
-  double operator()(double /*slip_speed*/) const noexcept { return 0.0; }
+  Friction operator()(const FrictionContact& /*contact*/) const noexcept { return {0.0}; }
 };
 static_assert(FrictionLaw<Frictionless>);
 

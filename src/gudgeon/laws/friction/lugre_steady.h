@@ -25,6 +25,7 @@ struct LugreSteady {
   double viscous_coefficient = 0.0;        ///< σ₂ [s/m]
   double transition_speed = 1e-4;          ///< v_t [m/s]
 
+  static constexpr bool kHasBristle = false;
   static constexpr std::string_view kName = "lugre_steady";
   static constexpr std::string_view kFormula = "μ = [μ_k + (μ_s − μ_k) exp(−|v/v_s|^γ)] tanh(v/v_t) + σ₂ v";
   static constexpr std::array<Parameter<LugreSteady>, 6> kParameters{{
@@ -41,11 +42,12 @@ struct LugreSteady {
        &LugreSteady::transition_speed},
   }};
 
-  double operator()(double slip_speed) const noexcept {
+  Friction operator()(const FrictionContact& contact) const noexcept {
+    const double slip_speed = contact.slip_speed;
     const double ratio = std::abs(slip_speed) / stribeck_speed;
     const double decay = decay_exponent == 2.0 ? ratio * ratio : std::pow(ratio, decay_exponent);
     const double level = kinetic_coefficient + (static_coefficient - kinetic_coefficient) * std::exp(-decay);
-    return level * std::tanh(slip_speed / transition_speed) + viscous_coefficient * slip_speed;
+    return {level * std::tanh(slip_speed / transition_speed) + viscous_coefficient * slip_speed};
   }
 };
 static_assert(FrictionLaw<LugreSteady>);

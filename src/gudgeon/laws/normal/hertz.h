@@ -23,6 +23,8 @@ struct Hertz {
       {"exponent", "n", dimension::kNone, kExponentRange, "exponent of the penetration", &Hertz::exponent},
   }};
 
+  [[nodiscard]] double damping_factor() const { return 0.0; }
+
   NormalForce operator()(const NormalContact& contact) const noexcept {
     return elastic_power(contact.stiffness, contact.penetration, exponent);
   }

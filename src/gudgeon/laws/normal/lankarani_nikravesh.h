@@ -23,17 +23,19 @@ struct LankaraniNikravesh {
   static constexpr std::string_view kName = "lankarani_nikravesh";
   static constexpr std::string_view kFormula = "F = K δⁿ (1 + 3(1 − e²)/4 · δ̇/δ̇₀)";
   static constexpr std::array<Parameter<LankaraniNikravesh>, 2> kParameters{{
-      {"restitution", "e", dimension::kNone, {0.0, 1.0, true, false}, "coefficient of restitution asked for",
+      {"restitution",
+       "e",
+       dimension::kNone,
+       {0.0, 1.0, true, false},
+       "coefficient of restitution asked for",
        &LankaraniNikravesh::restitution},
-      {"exponent", "n", dimension::kNone, kExponentRange, "exponent of the penetration",
-       &LankaraniNikravesh::exponent},
+      {"exponent", "n", dimension::kNone, kExponentRange, "exponent of the penetration", &LankaraniNikravesh::exponent},
   }};
 
+  [[nodiscard]] double damping_factor() const { return 0.75 * (1.0 - restitution * restitution); }
+
   NormalForce operator()(const NormalContact& contact) const noexcept {
-    const NormalForce elastic = elastic_power(contact.stiffness, contact.penetration, exponent);
-    const double damping_factor = 0.75 * (1.0 - restitution * restitution);
-    const double damping = elastic.force * damping_factor * contact.penetration_rate / contact.onset_speed;
-    return {never_pulling(elastic.force, damping), elastic.force, elastic.elastic_energy};
+    return with_damping(elastic_power(contact.stiffness, contact.penetration, exponent), contact);
   }
 };
 static_assert(NormalForceLaw<LankaraniNikravesh>);

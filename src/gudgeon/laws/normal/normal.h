@@ -13,10 +13,15 @@ namespace gudgeon {
 
 /// State of one contact in its normal direction.
 struct NormalContact {
-  double penetration;       ///< δ [m], > 0 in contact
-  double penetration_rate;  ///< δ̇ [m/s], > 0 while approaching
-  double onset_speed;       ///< δ̇₀ [m/s], δ̇ at contact onset, > 0
-  double stiffness;         ///< K [N/m^n], from radii and materials
+  double penetration;            ///< δ [m], > 0 in contact
+  double penetration_rate;       ///< δ̇ [m/s], > 0 while approaching
+  double onset_speed;            ///< δ̇₀ [m/s], δ̇ at contact onset, > 0
+  double stiffness;              ///< K [N/m^n], from radii and materials
+  double damping_factor = 0.0;   ///< χ [1], the law's own damping_factor(), found once
+  double bearing_radius = 0.0;   ///< R_i [m]; infinite where the bearing is flat
+  double journal_radius = 0.0;   ///< R_j [m]
+  double width = 0.0;            ///< w [m] along the axis
+  double contact_modulus = 0.0;  ///< E* [Pa], 1/E* = (1 − ν_i²)/E_i + (1 − ν_j²)/E_j
 };
 
 /// Force of one contact along its normal, pressing the bodies apart.
@@ -31,10 +36,20 @@ inline double never_pulling(double elastic_force, double damping_force) {
   return std::max(elastic_force + damping_force, 0.0);
 }
 
+/// F = F_el (1 + χ δ̇/δ̇₀), never pulling: an elastic force with the damping shared by most laws.
+inline NormalForce with_damping(const NormalForce& elastic, const NormalContact& contact) noexcept {
+  const double damping =
+      elastic.elastic_force * contact.damping_factor * contact.penetration_rate / contact.onset_speed;
+  return {never_pulling(elastic.elastic_force, damping), elastic.elastic_force, elastic.elastic_energy};
+}
+
+/// A law of normal force. Its damping_factor() is χ of the shape F = F_el (1 + χ δ̇/δ̇₀), 0 for a law without damping or
+/// with damping of another shape; it may be costly and is found once, before a run.
 template <class Law>
 concept NormalForceLaw = LawValue<Law> && requires(const Law law, const NormalContact contact) {
-  { law(contact) } noexcept -> std::same_as<NormalForce>;
-  { law.exponent } -> std::convertible_to<double>;
+  { law(contact) }
+  noexcept->std::same_as<NormalForce>;
+  { law.damping_factor() } -> std::same_as<double>;
 };
 
 }  // namespace gudgeon

@@ -20,11 +20,12 @@ struct Archard {
   static constexpr std::string_view kName = "archard";
   static constexpr std::string_view kFormula = "ḣ = k_d p |v|";
   static constexpr std::array<Parameter<Archard>, 1> kParameters{{
-      {"coefficient", "k_d", dimension::kPerPressure, kNotNegative, "linear wear coefficient",
-       &Archard::coefficient},
+      {"coefficient", "k_d", dimension::kPerPressure, kNotNegative, "linear wear coefficient", &Archard::coefficient},
   }};
 
-  double operator()(double pressure, double slip_speed) const noexcept { return coefficient * pressure * slip_speed; }
+  double operator()(const WearContact& contact) const noexcept {
+    return coefficient * contact.pressure * contact.slip_speed;
+  }
 };
 static_assert(WearLaw<Archard>);
 

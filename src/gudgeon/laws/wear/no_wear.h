@@ -16,7 +16,7 @@ struct NoWear {
   static constexpr std::string_view kFormula = "ḣ = 0";
   static constexpr std::array<Parameter<NoWear>, 0> kParameters{};
 
-  double operator()(double /*pressure*/, double /*slip_speed*/) const noexcept { return 0.0; }
+  double operator()(const WearContact& /*contact*/) const noexcept { return 0.0; }
 };
 static_assert(WearLaw<NoWear>);
 

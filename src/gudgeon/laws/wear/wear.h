@@ -10,10 +10,21 @@
 
 namespace gudgeon {
 
-/// A wear law maps contact pressure p [Pa] and slip speed |v| [m/s] to the rate of depth loss ḣ [m/s], >= 0.
+/// What wear of one surface depends on, at one place and instant.
+struct WearContact {
+  double pressure;                    ///< p [Pa]
+  double slip_speed;                  ///< |v| [m/s]
+  double friction_coefficient = 0.0;  ///< |μ| [1], so that μ p |v| is the friction power of a unit of area
+  double depth = 0.0;                 ///< h [m] that this surface has lost here before this stage
+  double sliding_distance = 0.0;      ///< s [m] slid in this joint, magnified, up to now
+};
+
+/// A wear law maps them to the rate of depth loss ḣ [m/s], >= 0, proportional to the pressure: the volume lost over an
+/// arc then does not depend on how the force is spread over it.
 template <class Law>
-concept WearLaw = LawValue<Law> && requires(const Law law, double pressure, double slip_speed) {
-  { law(pressure, slip_speed) } noexcept -> std::same_as<double>;
+concept WearLaw = LawValue<Law> && requires(const Law law, const WearContact contact) {
+  { law(contact) }
+  noexcept->std::same_as<double>;
 };
 
 }  // namespace gudgeon

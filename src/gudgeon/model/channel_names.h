@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What an expression or a table of a load may depend on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gudgeon/model/mechanism.h"
+
+namespace gudgeon {
+
+/// Which number of the mechanism's position and speed a name stands for.
+struct StateChannel {
+  enum class Quantity {
+    time,  ///< t [s]
+    x,     ///< of a body's centre of mass or of one of its points [m]
+    y,
+    x_velocity,  ///< [m/s]
+    y_velocity,
+    angle,         ///< of a body [rad]
+    angle_rate,    ///< [rad/s]
+    displacement,  ///< along a prismatic joint [m]
+    speed,         ///< along a prismatic joint [m/s]
+  };
+  std::string name;  ///< "t", "piston.x", "rod.B.x_velocity", "crank.angle", "guide.displacement"
+  Quantity quantity = Quantity::time;
+  int body = -1;   ///< index, for those of a body
+  int joint = -1;  ///< index, for those of a prismatic joint (with or without clearance)
+  Vec2 local;      ///< [m] the point in the body's own axes
+};
+
+/// All of them, time first, in the order of the model. They are what a load may depend on: forces and accelerations are
+/// not among them, because they depend on the loads.
+std::vector<StateChannel> list_state_channels(const Mechanism& mechanism);
+
+}  // namespace gudgeon
