@@ -37,7 +37,8 @@ awk -v prefix="$source_root/" '
     # start of a third-party header -> the floors that may include it
     room["hdf5"] = "io"; room["H5"] = "io"; room["toml++/"] = "io"
     room["CLI/"] = "app"
-    room["boost/"] = "sim"
+    room["boost/"] = "laws system sim"
+    room["muParser"] = "base"
     room["sundials/"] = "sim"; room["cvode/"] = "sim"; room["nvector/"] = "sim"
     room["sunlinsol/"] = "sim"; room["sunmatrix/"] = "sim"
     room["Eigen/"] = "base geometry laws model system sim analysis"
