@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The paper's press, run for real: energy, convergence, the limit of vanishing clearance, repeatability, wear.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +10,7 @@
 
 #include "gudgeon/sim/run_study.h"
 #include "tests/oracle/mechanisms.h"
+#include "tests/verification/book/recorder.h"
 
 namespace gudgeon {
 namespace {
@@ -50,17 +52,23 @@ double find_largest_difference(const StageRecord& a, const StageRecord& b, const
 }
 
 TEST(NineBar, EnergyLedgerBalancesOverTenCycles) {
+  book::Recorder recorder(
+      {"Energy", "Nine-bar press, ten cycles", "conservation of energy",
+       "What the ledger lacks to balance, as a share of the energy exchanged, over some 800 impacts.",
+       "the goal of the project; a contact entered unseen would break it by orders of magnitude"});
   const auto stages = run_study(oracle::make_nine_bar(), make_study(10));
   ASSERT_EQ(stages.back().status, StageStatus::finished) << stages.back().message;
   const EnergyLedger& ledger = stages.back().ledger;
   EXPECT_GT(ledger.exchanged, 100.0);
-  EXPECT_LT(std::abs(ledger.residual()), 1e-6 * ledger.exchanged);
+  recorder.verify("residual / exchanged [1]", 0.0, ledger.residual() / ledger.exchanged, 1e-6);
   EXPECT_GT(ledger.contact_damping, 0.0);
   EXPECT_GT(ledger.friction, 0.0);
 }
 
 TEST(NineBar, WornSurfacesKeepTheLedger) {
-  // Rough worn surfaces are the hardest to step over: a contact that is entered unseen would show here.
+  book::Recorder recorder({"Energy", "Nine-bar press on worn surfaces", "conservation of energy",
+                           "The same on surfaces rebuilt after a stage of wear, smooth (spread) and ragged (point).",
+                           "the goal of the project; rough surfaces are the hardest to step over"});
   for (const auto deposition : {Deposition::spread, Deposition::point}) {
     Study study = make_study(4);
     study.wear_stages = 1;
@@ -70,34 +78,24 @@ TEST(NineBar, WornSurfacesKeepTheLedger) {
     ASSERT_EQ(stages.size(), 2U);
     ASSERT_EQ(stages[1].status, StageStatus::finished) << stages[1].message;
     EXPECT_GT(stages[1].solver.onsets, stages[0].solver.onsets);
-    EXPECT_LT(std::abs(stages[1].ledger.residual()), 1e-6 * stages[1].ledger.exchanged);
+    const EnergyLedger& ledger = stages[1].ledger;
+    const char* rule = deposition == Deposition::spread ? "spread" : "point";
+    recorder.verify(fmt::format("residual / exchanged, {} deposition [1]", rule), 0.0,
+                    ledger.residual() / ledger.exchanged, 1e-6);
   }
-}
-
-TEST(NineBar, TighterTolerancesConverge) {
-  const Mechanism press = oracle::make_nine_bar();
-  const StageRecord reference = run_start(press, 1e-12);
-  ASSERT_GT(reference.solver.onsets, 2);
-  double before = find_largest_difference(run_start(press, 1e-7), reference, "slider_9.x");
-  // The error of a fifth-order method follows the tolerance; contacts make the constant uneven, so a factor of three a
-  // decade is asked for, not ten.
-  for (const double tolerance : {1e-8, 1e-9, 1e-10}) {
-    const double error = find_largest_difference(run_start(press, tolerance), reference, "slider_9.x");
-    EXPECT_LT(error, before / 3.0 + 1e-13) << tolerance;
-    before = error;
-  }
-  // What is left is a hundredth of a light contact's penetration, 1 um: impacts magnify every error.
-  EXPECT_LT(before, 1e-8);
 }
 
 TEST(NineBar, VanishingClearanceIsTheIdealJoint) {
+  book::Recorder recorder({"Motion", "Nine-bar press: clearance to zero", "the same press with ideal joints",
+                           "Largest distance of the slider from that of the ideal mechanism over 0.1 s.",
+                           "five clearances: the journals stay within theirs, and levers enlarge it a few times"});
   const StageRecord ideal = run_start(oracle::make_nine_bar(), 1e-9, true);
   double before = 1.0;
   for (const double clearance : {5e-4, 5e-5, 5e-6}) {
     const StageRecord stage = run_start(make_press(clearance), 1e-9);
     const double error = find_largest_difference(stage, ideal, "slider_9.x");
-    // The slider follows the journals, which stay within the clearance; levers enlarge it a few times.
-    EXPECT_LT(error, 5.0 * clearance) << clearance;
+    recorder.verify(fmt::format("distance for a clearance of {:g} mm [m]", 1e3 * clearance), 0.0, error,
+                    5.0 * clearance);
     EXPECT_LT(error, 0.5 * before) << clearance;
     before = error;
   }
@@ -124,13 +122,18 @@ TEST(NineBar, SameBitsOnAnyThread) {
 }
 
 TEST(NineBar, VolumeDoesNotDependOnRegions) {
+  book::Recorder recorder({"Wear", "Volume of the nine-bar's joint B", "Archard: V = k_d ∫F ds",
+                           "Volume of the depths laid down over a cycle against the integral along the motion, for any "
+                           "number of regions.",
+                           "rounding of some 1e5 deposits"});
   std::vector<double> volumes;
   for (const int regions : {100, 1000, 4000}) {
     Study study = make_study(1);
     study.regions = regions;
     const auto stages = run_study(oracle::make_nine_bar(), study);
     const JointWear& wear = stages.back().wear.at(1);
-    EXPECT_NEAR(wear.removed_volume / wear.archard_volume, 1.0, 1e-9);
+    recorder.verify(fmt::format("removed / worn volume, {} regions [1]", regions), 1.0,
+                    wear.removed_volume / wear.archard_volume, 1e-9);
     volumes.push_back(wear.removed_volume);
   }
   EXPECT_NEAR(volumes[0] / volumes[1], 1.0, 1e-9);

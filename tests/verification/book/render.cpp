@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tables, and their comparison line by line.
+#include "tests/verification/book/render.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace gudgeon::book {
+
+namespace {
+
+constexpr const char* kPreface = R"(# Verification
+
+Every number below is checked by a test each time the suite runs, and was written by it: `bash scripts/verification.sh`
+makes this page anew, and a test fails when the page is not what the tests say. *Ours* may differ in its last digits from
+one compiler or processor to another; it always keeps the tolerance. All quantities are in SI units and radians.
+
+Beside these cases, the suite compares the engine with the dense textbook form (maximal coordinates, all constraints, one
+dense solve) on random states of every kind of joint, driver and load: accelerations, efforts, reactions and energies to
+1e-9 (`tests/system`, `tests/oracle`), and every law of every family with its properties (`tests/laws`).
+)";
+
+std::string render_line(const Line& line) {
+  return fmt::format("| {} | {:.10g} | {:.10g} | {:.1e} | {:.1e} |\n", line.quantity, line.reference, line.ours,
+                     std::abs(line.ours - line.reference), line.tolerance);
+}
+
+std::string render_entry(const Entry& entry) {
+  std::string text = fmt::format("\n### {}\n\n{}\n\n- Source: {}\n- Tolerance: {}\n\n", entry.about.title,
+                                 entry.about.checks, entry.about.source, entry.about.reason);
+  text += "| quantity | reference | ours | error | tolerance |\n|---|---:|---:|---:|---:|\n";
+  for (const Line& line : entry.lines) text += render_line(line);
+  return text;
+}
+
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The cells of a table's line; none for other lines.
+std::vector<std::string> split_cells(const std::string& line) {
+  std::vector<std::string> cells;
+  if (!line.starts_with("| ")) return cells;
+  std::istringstream in(line.substr(2));
+  for (std::string cell; std::getline(in, cell, '|');) {
+    const auto last = cell.find_last_not_of(' ');
+    const auto first = cell.find_first_not_of(' ');
+    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
+  }
+  return cells;
+}
+
+double read_number(const std::string& cell) {
+  double number = std::nan("");
+  std::istringstream(cell) >> number;
+  return number;
+}
+
+/// Whether a printed line says the same as the one that would be printed now.
+bool holds(const std::string& now, const std::string& printed) {
+  if (now == printed) return true;
+  const auto a = split_cells(now);
+  const auto b = split_cells(printed);
+  if (a.size() != 5 || b.size() != 5 || a[0] != b[0] || a[1] != b[1] || a[4] != b[4]) return false;
+  // Ours is printed with ten digits.
+  const double difference = std::abs(read_number(a[2]) - read_number(b[2]));
+  return difference <= read_number(a[4]) + 1e-9 * std::abs(read_number(a[1]));
+}
+
+}  // namespace
+
+std::string render_book(const std::vector<Entry>& entries) {
+  std::string text = kPreface;
+  for (const std::string& chapter : list_chapters()) {
+    bool begun = false;
+    for (const Entry& entry : entries) {
+      if (entry.about.chapter != chapter) continue;
+      if (!begun) text += fmt::format("\n## {}\n", chapter);
+      begun = true;
+      text += render_entry(entry);
+    }
+  }
+  return text;
+}
+
+std::vector<std::string> compare_book(const std::vector<Entry>& entries, const std::string& printed) {
+  const auto now = split_lines(render_book(entries));
+  const auto then = split_lines(printed);
+  std::vector<std::string> differences;
+  for (std::size_t k = 0; k < std::max(now.size(), then.size()); ++k) {
+    const std::string is = k < now.size() ? now[k] : "(nothing)";
+    const std::string was = k < then.size() ? then[k] : "(nothing)";
+    if (holds(is, was)) continue;
+    differences.push_back(fmt::format("line {}: the tests say\n  {}\nthe page says\n  {}", k + 1, is, was));
+    // Once a line is missing, all that follow differ.
+    if (split_cells(is).empty() || split_cells(was).empty()) break;
+  }
+  return differences;
+}
+
+}  // namespace gudgeon::book
