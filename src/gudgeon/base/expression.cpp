@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Formulas compiled and evaluated by muParser, which no other file knows.
+#include "gudgeon/base/expression.h"
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gudgeon {
+
+namespace {
+
+/// Letters, digits, '_' and '.', and every byte of letters beyond ASCII.
+std::string list_name_characters() {
+  std::string characters = "._0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  for (int byte = 0x80; byte <= 0xFF; ++byte) characters += static_cast<char>(byte);
+  return characters;
+}
+
+/// From 0 below `from` to 1 above `to`, twice continuously differentiable: 10 u³ − 15 u⁴ + 6 u⁵.
+double smooth_step(double x, double from, double to) {
+  const double u = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
+}
+
+/// Where a single '=' stands, which would assign; npos when nowhere.
+std::size_t find_assignment(const std::string& text) {
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] != '=') continue;
+    if (k + 1 < text.size() && text[k + 1] == '=') {
+      ++k;
+    } else if (k == 0 || std::string_view("<>!").find(text[k - 1]) == std::string_view::npos) {
+      return k;
+    }
+  }
+  return std::string::npos;
+}
+
+std::string describe(const mu::ParserError& error) {
+  const std::string quoted = "'" + error.GetToken() + "'";
+  switch (error.GetCode()) {
+    case mu::ecUNASSIGNABLE_TOKEN:
+      return "there is no name or function " + quoted;
+    case mu::ecUNEXPECTED_EOF:
+      return "it ends too early";
+    case mu::ecINTERNAL_ERROR:
+      return "an operator lacks a value";
+    case mu::ecMISSING_PARENS:
+      return "a closing ')' is missing";
+    case mu::ecTOO_MANY_PARAMS:
+      return "function " + quoted + " has too many arguments";
+    case mu::ecTOO_FEW_PARAMS:
+      return "function " + quoted + " has too few arguments";
+    case mu::ecMISSING_ELSE_CLAUSE:
+      return "'?' lacks its ':'";
+    case mu::ecSTRING_EXPECTED:
+    case mu::ecVAL_EXPECTED:
+    case mu::ecSTR_RESULT:
+    case mu::ecUNTERMINATED_STRING:
+      return "text in quotes has no value";
+    default:
+      return error.GetToken().empty() ? "it cannot be understood here" : quoted + " does not fit here";
+  }
+}
+
+/// muParser tells the end of some tokens and the start of others: always the start.
+ExpressionError translate(const mu::ParserError& error, const std::string& text) {
+  std::size_t position = error.GetPos() < 0 ? 0 : static_cast<std::size_t>(error.GetPos());
+  position = std::min(position, text.size());
+  const std::string& token = error.GetToken();
+  if (error.GetCode() == mu::ecINTERNAL_ERROR) return {describe(error), 0};  // it tells no place
+  if (!token.empty() && text.compare(position, token.size(), token) != 0) {
+    const std::size_t before = text.rfind(token, position);
+    if (before != std::string::npos) position = before;
+  }
+  return {describe(error), position};
+}
+
+}  // namespace
+
+struct ExpressionEvaluator::Implementation {
+  mu::Parser parser;
+  std::vector<double> values;  // of all variables; the parser points into it
+  std::vector<int> used;
+};
+
+ExpressionEvaluator::ExpressionEvaluator(const std::string& text,
+                                         const std::vector<std::pair<std::string, double>>& constants,
+                                         const std::vector<std::string>& variables)
+    : implementation_(std::make_unique<Implementation>()) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw ExpressionError("it is empty", 0);
+  const std::size_t assignment = find_assignment(text);
+  if (assignment != std::string::npos) {
+    throw ExpressionError("'=' would assign; write '==' to compare", assignment);
+  }
+  mu::Parser& parser = implementation_->parser;
+  std::vector<double>& values = implementation_->values;
+  values.assign(variables.size(), 0.0);
+  try {
+    static const std::string kNameCharacters = list_name_characters();
+    parser.DefineNameChars(kNameCharacters.c_str());
+    parser.ClearConst();
+    parser.DefineConst("pi", std::numbers::pi);
+    parser.DefineFun("smooth_step", smooth_step);
+    // Names that do not occur need not be legal ones.
+    for (const auto& [name, value] : constants) {
+      if (text.find(name) != std::string::npos) parser.DefineConst(name, value);
+    }
+    for (std::size_t k = 0; k < variables.size(); ++k) {
+      if (text.find(variables[k]) != std::string::npos) parser.DefineVar(variables[k], &values[k]);
+    }
+    parser.SetExpr(text);
+    parser.Eval();  // finds unknown names, which the next line would pass over
+    const auto used = parser.GetUsedVar();
+    for (std::size_t k = 0; k < variables.size(); ++k) {
+      if (used.contains(variables[k])) implementation_->used.push_back(static_cast<int>(k));
+    }
+    parser.Eval();  // compiles; from now on only the compiled formula is run
+  } catch (const mu::ParserError& error) {
+    throw translate(error, text);
+  }
+  if (parser.GetNumResults() != 1) {
+    throw ExpressionError("',' outside a function's parentheses: a formula has one value",
+                          std::min(text.find(','), text.size()));
+  }
+}
+
+ExpressionEvaluator::ExpressionEvaluator(ExpressionEvaluator&& other) noexcept = default;
+ExpressionEvaluator& ExpressionEvaluator::operator=(ExpressionEvaluator&& other) noexcept = default;
+ExpressionEvaluator::~ExpressionEvaluator() = default;
+
+const std::vector<int>& ExpressionEvaluator::used_variables() const { return implementation_->used; }
+
+double ExpressionEvaluator::eval(const double* values) noexcept {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  for (const int k : implementation_->used) implementation_->values[k] = values[k];
+  try {
+    const double value = implementation_->parser.Eval();
+    return std::isfinite(value) ? value : kNone;
+  } catch (...) {
+    return kNone;
+  }
+}
+
+}  // namespace gudgeon

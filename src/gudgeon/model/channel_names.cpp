@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The names of positions and speeds; those of bodies are the recorded channels'.
+#include "gudgeon/model/channel_names.h"
+
+namespace gudgeon {
+
+namespace {
+
+using enum StateChannel::Quantity;
+
+void add_position(std::vector<StateChannel>& channels, const std::string& owner, int body, Vec2 local) {
+  channels.push_back({owner + ".x", x, body, -1, local});
+  channels.push_back({owner + ".y", y, body, -1, local});
+}
+
+void add_velocity(std::vector<StateChannel>& channels, const std::string& owner, int body, Vec2 local) {
+  channels.push_back({owner + ".x_velocity", x_velocity, body, -1, local});
+  channels.push_back({owner + ".y_velocity", y_velocity, body, -1, local});
+}
+
+void add_body(std::vector<StateChannel>& channels, const Body& body, int index) {
+  if (index > 0) {
+    add_position(channels, body.name, index, body.center_of_mass);
+    channels.push_back({body.name + ".angle", angle, index, -1, {}});
+    add_velocity(channels, body.name, index, body.center_of_mass);
+    channels.push_back({body.name + ".angle_rate", angle_rate, index, -1, {}});
+  }
+  for (const Point& point : body.points) {
+    const std::string owner = body.name + "." + point.name;
+    add_position(channels, owner, index, point.position);
+    add_velocity(channels, owner, index, point.position);
+  }
+}
+
+}  // namespace
+
+std::vector<StateChannel> list_state_channels(const Mechanism& mechanism) {
+  std::vector<StateChannel> channels{{"t", time, -1, -1, {}}};
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    add_body(channels, mechanism.bodies[b], static_cast<int>(b));
+  }
+  for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
+    const Joint& joint = mechanism.joints[j];
+    if (!std::holds_alternative<Prismatic>(joint.kind) && !std::holds_alternative<PrismaticClearance>(joint.kind)) {
+      continue;
+    }
+    channels.push_back({joint.name + ".displacement", displacement, -1, static_cast<int>(j), {}});
+    channels.push_back({joint.name + ".speed", speed, -1, static_cast<int>(j), {}});
+  }
+  return channels;
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Formulas: values against the same formula in C++, names with dots, positions of errors, no exceptions when run.
+#include "gudgeon/base/expression.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <clocale>
+#include <cmath>
+#include <numbers>
+
+namespace gudgeon {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+double eval_constant(const std::string& text) { return ExpressionEvaluator(text, {}, {}).eval(nullptr); }
+
+TEST(Expression, HasItsValue) {
+  const std::vector<std::string> names{"t", "crank.angle", "rod.B.x_velocity"};
+  ExpressionEvaluator formula("-k*(crank.angle - 0.2) + F0*cos(2*pi*t) - .5*rod.B.x_velocity^2",
+                              {{"k", 3.0}, {"F0", 7.0}}, names);
+  for (const double t : {0.0, 0.3, 1.7}) {
+    const std::array values{t, 2.0 - t, 1.5 * t};
+    EXPECT_DOUBLE_EQ(
+        formula.eval(values.data()),
+        -3.0 * (values[1] - 0.2) + 7.0 * std::cos(2.0 * std::numbers::pi * t) - 0.5 * values[2] * values[2]);
+  }
+}
+
+TEST(Expression, ReadsOnlyWhatItUses) {
+  const std::array values{0.5, 1e3, 4.0, -1.0};
+  ExpressionEvaluator formula("a.y + t", {}, {"t", "a.x", "a.y", "rod-1.x"});
+  EXPECT_THAT(formula.used_variables(), ElementsAre(0, 2));
+  EXPECT_EQ(formula.eval(values.data()), 4.5);
+  ExpressionEvaluator moved = std::move(formula);
+  EXPECT_EQ(moved.eval(values.data()), 4.5);
+  EXPECT_THAT(ExpressionEvaluator("2", {}, {"t"}).used_variables(), testing::IsEmpty());
+}
+
+TEST(Expression, Compares) {
+  ExpressionEvaluator formula("t < 1 ? 2 : (t >= 2 && t != 3 ? 5 : -1)", {}, {"t"});
+  const auto at = [&](double t) { return formula.eval(&t); };
+  EXPECT_EQ(at(0.5), 2.0);
+  EXPECT_EQ(at(1.5), -1.0);
+  EXPECT_EQ(at(2.0), 5.0);
+  EXPECT_EQ(at(3.0), -1.0);
+}
+
+TEST(Expression, KnowsFunctions) {
+  EXPECT_DOUBLE_EQ(eval_constant("log(100)"), std::log(100.0));
+  EXPECT_DOUBLE_EQ(eval_constant("atan2(1, -2) + max(1, 3, 2) + abs(-4)"), std::atan2(1.0, -2.0) + 7.0);
+  EXPECT_DOUBLE_EQ(eval_constant("-2^2"), -4.0);
+}
+
+TEST(Expression, StepsSmoothly) {
+  ExpressionEvaluator formula("smooth_step(t, 1, 3)", {}, {"t"});
+  const auto at = [&](double t) { return formula.eval(&t); };
+  EXPECT_EQ(at(0.0), 0.0);
+  EXPECT_EQ(at(2.0), 0.5);
+  EXPECT_EQ(at(4.0), 1.0);
+  // Slope and curvature vanish at both ends; 1e-3 of the width leaves 10 h³ of the value.
+  EXPECT_NEAR(at(1.002), 0.0, 1.1e-8);
+  EXPECT_NEAR(at(2.998), 1.0, 1.1e-8);
+}
+
+TEST(Expression, HasNoValueWhereThereIsNone) {
+  ExpressionEvaluator formula("1/t + sqrt(t)", {}, {"t"});
+  const auto at = [&](double t) { return formula.eval(&t); };
+  EXPECT_TRUE(std::isnan(at(0.0)));
+  EXPECT_TRUE(std::isnan(at(-1.0)));
+  EXPECT_EQ(at(4.0), 2.25);
+  EXPECT_TRUE(std::isnan(at(std::nan(""))));
+}
+
+TEST(Expression, IgnoresTheLocale) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"}) {
+    if (std::setlocale(LC_ALL, name) != nullptr) break;
+  }
+  EXPECT_EQ(eval_constant("max(0.5, 0.25)"), 0.5);
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+struct Bad {
+  const char* text;
+  std::size_t position;
+  const char* message;  ///< a part of it
+};
+
+class ExpressionRejects : public testing::TestWithParam<Bad> {};
+
+TEST_P(ExpressionRejects, AndSaysWhere) {
+  try {
+    const ExpressionEvaluator formula(GetParam().text, {{"k", 1.0}}, {"t", "crank.angle"});
+    FAIL() << "it was understood";
+  } catch (const ExpressionError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(GetParam().message));
+    EXPECT_EQ(error.position(), GetParam().position);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Texts, ExpressionRejects,
+                         testing::Values(Bad{"2*crnk.angle", 2, "'crnk.angle'"}, Bad{"t + + ", 0, "lacks a value"},
+                                         Bad{"sin(t", 5, "')' is missing"}, Bad{"sin(t, 2)", 0, "too many"},
+                                         Bad{"t * ", 4, "too early"}, Bad{"atan2(t)", 0, "too few"},
+                                         Bad{"k = 3", 2, "assign"}, Bad{"t <= 1 ? t = 2 : 1", 11, "assign"},
+                                         Bad{"t, 2", 1, "one value"}, Bad{"\"t\"", 1, "quotes"}, Bad{"", 0, "empty"},
+                                         Bad{"2 t", 2, "'t'"}, Bad{"t > 1 ? 2", 0, "':'"}, Bad{"t*_pi", 2, "'_pi'"},
+                                         Bad{"3*(t))", 5, "')'"}, Bad{"nosuch(t)", 0, "'nosuch'"}));
+
+}  // namespace
+}  // namespace gudgeon
