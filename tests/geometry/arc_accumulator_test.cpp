@@ -79,6 +79,59 @@ TEST(ArcAccumulator, ConservesWhatIsLaidDown) {
   }
 }
 
+// The parabola over fine points of each region and its copies whole turns away.
+void add_parabola_points(const Arc& arc, std::vector<double>& amounts) {
+  constexpr int kPoints = 2000;
+  const double region = kTurn / static_cast<double>(amounts.size());
+  for (std::size_t k = 0; k < amounts.size(); ++k) {
+    for (int i = 0; i < kPoints; ++i) {
+      const double at = (static_cast<double>(k) + (i + 0.5) / kPoints) * region;
+      for (const double shift : {-kTurn, 0.0, kTurn}) {
+        const double x = (at + shift - std::remainder(arc.angle, kTurn)) / (0.5 * arc.width);
+        if (std::abs(x) < 1.0) amounts[k] += arc.amount * 1.5 * (1.0 - x * x) / kPoints;
+      }
+    }
+  }
+}
+
+TEST(ArcAccumulator, AgreesWithParabolasCountedOut) {
+  for (const Arc& arc : {Arc{1.0, 0.9, 2.0}, Arc{0.0, 1.3, 1.0}, Arc{-20.0, kTurn, 0.7}, Arc{6.28, 0.011, 3.0}}) {
+    ArcAccumulator accumulator(50);
+    std::vector<double> expected(50, 0.0);
+    accumulator.add_parabola(arc.angle, arc.width, arc.amount);
+    add_parabola_points(arc, expected);
+    const std::vector<double> amounts = accumulator.sum();
+    // Points miss the ends of a narrow arc by up to one of 2000, where the parabola is small.
+    for (std::size_t k = 0; k < 50; ++k) EXPECT_NEAR(amounts[k], expected[k], 1e-5) << k << " of " << arc.angle;
+  }
+}
+
+TEST(ArcAccumulator, ConservesWhatParabolasLayDown) {
+  for (const std::size_t n : {1u, 7u, 100u, 1000u, 4000u}) {
+    ArcAccumulator accumulator(n);
+    double expected = 0.0;
+    for (const Arc& arc : make_random_arcs(2000, 13)) {
+      accumulator.add_parabola(arc.angle, arc.width, arc.amount);
+      expected += arc.amount * arc.width;
+    }
+    const std::vector<double> amounts = accumulator.sum();
+    const double held = kTurn / static_cast<double>(n) * std::accumulate(amounts.begin(), amounts.end(), 0.0);
+    EXPECT_NEAR(held, expected, 1e-12 * expected) << n;  // rounding of 2000 additions
+    EXPECT_GE(std::ranges::min(amounts), 0.0);
+  }
+}
+
+TEST(ArcAccumulator, ParabolaPeaksHalfAsHighAgain) {
+  ArcAccumulator accumulator(4000);
+  accumulator.add_parabola(2.0, 0.5, 3.0);
+  const std::vector<double> amounts = accumulator.sum();
+  // The mean over a region at the peak is less than the peak by a third of (half a region over half the arc)² or so.
+  EXPECT_NEAR(std::ranges::max(amounts), 4.5, 4.5 * 2e-5);
+  ArcAccumulator nothing(100);
+  nothing.add_parabola(2.0, 0.0, 3.0);
+  EXPECT_EQ(nothing.sum(), std::vector<double>(100, 0.0)) << "an arc without width";
+}
+
 TEST(ArcAccumulator, PlacesAnArcOfOneRegionInThatRegion) {
   constexpr std::size_t kRegions = 100;
   constexpr double kRegion = kTurn / kRegions;

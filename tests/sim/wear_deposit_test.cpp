@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace gudgeon {
 namespace {
@@ -36,25 +38,32 @@ ContactSample make_sample(double direction) {
   return sample;
 }
 
-class Regions : public testing::TestWithParam<int> {};
+class Regions : public testing::TestWithParam<std::tuple<int, PressureDistribution>> {
+ protected:
+  static int n_regions() { return std::get<0>(GetParam()); }
+  static PressureDistribution pressure() { return std::get<1>(GetParam()); }
+};
 
 // Load W turns once around at constant slip: every region wears the same, h = k_d W s/(2 π R w).
 TEST_P(Regions, ConstantLoadWearsEvenly) {
-  const Contact contact = make_contact();
-  WearDeposit deposit(contact, Deposition::spread, GetParam());
-  const int n_steps = 2 * GetParam();  // so that arcs begin at every region's edges alike
+  Contact contact = make_contact();
+  contact.pressure = pressure();
+  WearDeposit deposit(contact, Deposition::spread, n_regions());
+  const int n_steps = 2 * n_regions();  // so that arcs begin at every region's edges alike
   for (int k = 0; k < n_steps; ++k) deposit.add(make_sample(2.0 * std::numbers::pi * k / n_steps), 1.0 / n_steps);
-  const JointWear wear = deposit.summarize("J", 1.0);
+  const JointWear wear = deposit.summarize("J");
   const double expected = 0.75 * kCoefficient * 640.0 * 0.31 / (2.0 * std::numbers::pi * 15e-3 * 20e-3);
   for (const double depth : wear.bearing_depth_added) EXPECT_NEAR(depth / expected, 1.0, 1e-9);
   EXPECT_NEAR(wear.sliding_distance, 0.31, 1e-12);
   EXPECT_NEAR(wear.impulse, 640.0, 1e-9);
 }
 
-// Whatever the regions, the volume is k_d F s to rounding; bearing and journal share it as their coefficients.
+// Whatever the regions and the pressure, the volume is k_d F s to rounding; bearing and journal share it as their
+// coefficients.
 TEST_P(Regions, SpreadConservesVolume) {
-  const Contact contact = make_contact();
-  WearDeposit deposit(contact, Deposition::spread, GetParam());
+  Contact contact = make_contact();
+  contact.pressure = pressure();
+  WearDeposit deposit(contact, Deposition::spread, n_regions(), 20000.0);
   for (int k = 0; k < 500; ++k) {
     ContactSample sample = make_sample(0.37 * k * k);
     sample.bearing_angle = 0.9 * k;
@@ -62,13 +71,89 @@ TEST_P(Regions, SpreadConservesVolume) {
     sample.penetration *= 1.0 + k % 7;
     deposit.add(sample, 1e-3);
   }
-  const JointWear wear = deposit.summarize("J", 20000.0);
+  const JointWear wear = deposit.summarize("J");
   const double archard = kCoefficient * 640.0 * 0.31 * 0.5 * 20000.0;
   EXPECT_NEAR(wear.archard_volume / archard, 1.0, 1e-12);
   EXPECT_NEAR(wear.removed_volume / archard, 1.0, 1e-11);  // sums of thousands of parts
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Regions, testing::Values(100, 1000, 4000));
+INSTANTIATE_TEST_SUITE_P(Of, Regions,
+                         testing::Combine(testing::Values(100, 1000, 4000),
+                                          testing::Values(PressureDistribution::uniform,
+                                                          PressureDistribution::parabolic)));
+
+// A contact that stays: 3/2 of the uniform depth at the middle of the arc, none at its ends, the same volume.
+TEST(ParabolicPressure, WearsAStillArcDeeperAtItsMiddle) {
+  const Contact uniform = make_contact();
+  Contact parabolic = uniform;
+  parabolic.pressure = PressureDistribution::parabolic;
+  for (const Deposition deposition : {Deposition::spread, Deposition::point}) {
+    WearDeposit a(uniform, deposition, 40000);
+    WearDeposit b(parabolic, deposition, 40000);
+    for (WearDeposit* deposit : {&a, &b}) deposit->add(make_sample(1.0), 1.0);
+    const JointWear flat = a.summarize("J");
+    const JointWear round = b.summarize("J");
+    const double ratio = std::ranges::max(round.bearing_depth_added) / std::ranges::max(flat.bearing_depth_added);
+    // A region is a thousandth of the arc: its mean is less than the peak by some 1e-6.
+    EXPECT_NEAR(ratio, 1.5, deposition == Deposition::spread ? 3e-6 : 1e-15);
+    EXPECT_DOUBLE_EQ(flat.archard_volume, round.archard_volume);
+    const double removed = round.removed_volume / flat.removed_volume;
+    EXPECT_NEAR(removed, deposition == Deposition::spread ? 1.0 : 1.5, 1e-11);
+  }
+}
+
+// The volume is k_e times the work of friction.
+TEST(WearDeposit, EnergyWearFollowsTheWorkOfFriction) {
+  Contact contact = make_contact();
+  contact.bearing_wear = EnergyWear{3e-13};
+  contact.journal_wear = EnergyWear{1e-13};
+  WearDeposit deposit(contact, Deposition::spread, 1000);
+  double work = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    ContactSample sample = make_sample(0.1 * k);
+    sample.slip_speed = std::sin(0.3 * k);
+    sample.friction_force = 0.2 * sample.normal_force * std::tanh(20.0 * sample.slip_speed);
+    deposit.add(sample, 1e-3);
+    work += 1e-3 * sample.friction_force * sample.slip_speed;
+  }
+  EXPECT_NEAR(deposit.summarize("J").removed_volume / (4e-13 * work), 1.0, 1e-11);
+}
+
+// At constant load the volume is F [k_∞ s + (k₀ − k_∞) s_r (1 − exp(−s/s_r))]; the distance counts magnified, and goes
+// on where the stages before left it.
+TEST(WearDeposit, RunsInOverTheMagnifiedDistance) {
+  constexpr double kMagnification = 500.0;
+  Contact contact = make_contact();
+  contact.bearing_wear = RunningInDistance{9e-14, 4e-14, 60.0};
+  contact.journal_wear = NoWear{};
+  const auto exact = [](double s) { return 640.0 * (4e-14 * s + 5e-14 * 60.0 * (1.0 - std::exp(-s / 60.0))); };
+  double slid = 0.0;
+  for (int stage = 0; stage < 3; ++stage) {
+    contact.sliding_distance = slid;
+    WearDeposit deposit(contact, Deposition::spread, 100, kMagnification);
+    for (int k = 0; k < 1000; ++k) deposit.add(make_sample(0.01 * k), 1e-4);
+    const JointWear wear = deposit.summarize("J");
+    const double after = slid + kMagnification * wear.sliding_distance;
+    EXPECT_NEAR(wear.sliding_distance, 0.031, 1e-14) << "the record's is not magnified";
+    // A midpoint rule: steps of 2.6e-4 s_r are off by their square over 24.
+    EXPECT_NEAR(wear.removed_volume / (exact(after) - exact(slid)), 1.0, 1e-8);
+    slid = after;
+  }
+}
+
+// The depth before the stage counts, that of the surface it wears.
+TEST(WearDeposit, RunsInOverTheDepthOfEachSurface) {
+  Contact contact = make_contact();
+  contact.bearing_wear = contact.journal_wear = RunningInDepth{9e-14, 4e-14, 2e-6};
+  WearDeposit deposit(contact, Deposition::point, 100);
+  ContactSample sample = make_sample(2.0);
+  sample.bearing_depth = 2e-6;
+  sample.journal_depth = 6e-6;
+  deposit.add(sample, 1.0);
+  const JointWear wear = deposit.summarize("J");
+  const double ratio = std::ranges::max(wear.bearing_depth_added) / std::ranges::max(wear.journal_depth_added);
+  EXPECT_NEAR(ratio, (4.0 + 5.0 * std::exp(-1.0)) / (4.0 + 5.0 * std::exp(-3.0)), 1e-14);
+}
 
 // The paper's rule: the depth of the whole arc into one region, so that finer regions lose more volume.
 TEST(PointDeposition, GivesOneRegionTheWholeDepth) {
@@ -76,8 +161,8 @@ TEST(PointDeposition, GivesOneRegionTheWholeDepth) {
   WearDeposit coarse(contact, Deposition::point, 100);
   WearDeposit fine(contact, Deposition::point, 1000);
   for (WearDeposit* deposit : {&coarse, &fine}) deposit->add(make_sample(1.0), 1.0);
-  const JointWear a = coarse.summarize("J", 1.0);
-  const JointWear b = fine.summarize("J", 1.0);
+  const JointWear a = coarse.summarize("J");
+  const JointWear b = fine.summarize("J");
   EXPECT_EQ(std::ranges::count_if(a.total_depth_added, [](double h) { return h > 0.0; }), 1);
   EXPECT_GT(a.total_depth_added[15], 0.0);   // 1 rad is 15.9 regions of 100
   EXPECT_GT(b.total_depth_added[159], 0.0);  // and 159.2 of 1000
@@ -92,7 +177,7 @@ TEST(WearDeposit, LiesWhereTheSurfacesAre) {
   sample.bearing_angle = 0.5;
   sample.journal_angle = -1.0;
   deposit.add(sample, 1.0);
-  const JointWear wear = deposit.summarize("J", 1.0);
+  const JointWear wear = deposit.summarize("J");
   const auto degrees = [](double radians) { return static_cast<std::size_t>(radians * 180.0 / std::numbers::pi); };
   EXPECT_GT(wear.bearing_depth_added[degrees(1.5)], 0.0);
   EXPECT_GT(wear.journal_depth_added[degrees(3.0)], 0.0);
@@ -106,7 +191,7 @@ TEST(WearDeposit, NothingWithoutForce) {
   sample.normal_force = 0.0;
   sample.penetration = -1e-6;
   deposit.add(sample, 1.0);
-  EXPECT_EQ(deposit.summarize("J", 1.0).archard_volume, 0.0);
+  EXPECT_EQ(deposit.summarize("J").archard_volume, 0.0);
 }
 
 }  // namespace

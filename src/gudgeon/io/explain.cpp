@@ -68,6 +68,7 @@ class SharedTables {
     lines.line("onset_speed_floor", toml_quantity(contact.onset_speed_floor, dimension::kSpeed));
     lines.line("normal_direction",
                toml_text(choice_name<NormalDirection>(kNormalDirections, contact.normal_direction)));
+    lines.line("pressure", toml_text(choice_name<PressureDistribution>(kPressureDistributions, contact.pressure)));
     return find_name(contacts_, contact.name, lines.text());
   }
 

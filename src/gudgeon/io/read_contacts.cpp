@@ -38,14 +38,9 @@ void update_law(TableReader& contact, std::string_view key, AnyLaw& law) {
   table->check_unknown_keys();
 }
 
-/// The law with its coefficient reduced to one surface's share.
+/// The law of one surface that takes that share of the wear.
 AnyWear share_of(const AnyWear& total, double share) {
-  return std::visit(
-      [&]<class Law>(Law law) -> AnyWear {
-        if constexpr (requires { law.coefficient; }) law.coefficient *= share;
-        return law;
-      },
-      total);
+  return std::visit([&](const auto& law) -> AnyWear { return law.share_of(share); }, total);
 }
 
 /// Points the split laws' paths to where the total stands, for messages about them.
@@ -94,6 +89,7 @@ ContactProperties read_contact(const DocumentEntry& entry, std::span<const Mater
   const auto floor = table.find_quantity("onset_speed_floor", dimension::kSpeed);
   contact.onset_speed_floor = floor.value_or(contact.onset_speed_floor);
   table.update_choice<NormalDirection>("normal_direction", kNormalDirections, contact.normal_direction);
+  table.update_choice<PressureDistribution>("pressure", kPressureDistributions, contact.pressure);
   table.check_unknown_keys();
   return contact;
 }

@@ -20,6 +20,10 @@ inline constexpr std::array<std::pair<std::string_view, NormalDirection>, 2> kNo
     {"gap_gradient", NormalDirection::gap_gradient},
     {"eccentricity", NormalDirection::eccentricity},
 }};
+inline constexpr std::array<std::pair<std::string_view, PressureDistribution>, 2> kPressureDistributions{{
+    {"uniform", PressureDistribution::uniform},
+    {"parabolic", PressureDistribution::parabolic},
+}};
 inline constexpr std::array<std::pair<std::string_view, Deposition>, 2> kDepositions{{
     {"spread", Deposition::spread},
     {"point", Deposition::point},

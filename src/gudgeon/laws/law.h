@@ -12,7 +12,8 @@
 
 namespace gudgeon {
 
-/// A law is a value: default-constructible parameters, a name, a formula and a parameter table.
+/// A law is a value: default-constructible parameters, a name, a formula and a parameter table. A law whose parameters
+/// must fit each other also has find_conflict(): why they do not, empty when they do.
 template <class Law>
 concept LawValue = std::default_initializable<Law> && std::copyable<Law> && requires {
   { Law::kName } -> std::convertible_to<std::string_view>;

@@ -27,6 +27,11 @@ void check_parameters(CheckRules& rules, const Law& law, const std::string& subj
     rules.check_range("E-MODEL-030", {subject, parameter_path, law.*parameter.member, parameter.dimension},
                       parameter.range);
   }
+  if constexpr (requires { law.find_conflict(); }) {
+    if (const std::string_view conflict = law.find_conflict(); !conflict.empty()) {
+      rules.diagnostics.error("E-MODEL-035", path, fmt::format("{}: {}", subject, conflict));
+    }
+  }
 }
 
 /// The value of the parameter with that symbol in the law's formula.

@@ -62,6 +62,12 @@ enum class NormalDirection {
   eccentricity,  ///< the line of centres, as in the paper
 };
 
+/// How the pressure of a contact is spread over its arc; a is half the arc, x the place on it from its middle.
+enum class PressureDistribution {
+  uniform,    ///< p = F/(w L) everywhere, as in the paper (default)
+  parabolic,  ///< 3/2 of that at the middle, p ∝ 1 − (x/a)², as between bodies that fit closely
+};
+
 /// How bearing and journal surfaces act on each other: a [contacts.NAME] table of the model file.
 struct ContactProperties {
   std::string name;
@@ -73,6 +79,7 @@ struct ContactProperties {
   AnyWear journal_wear = NoWear{};
   double onset_speed_floor = 1e-3;  ///< [m/s] least onset speed the damping is scaled with
   NormalDirection normal_direction = NormalDirection::gap_gradient;
+  PressureDistribution pressure = PressureDistribution::uniform;
 };
 
 /// A revolute joint with clearance: the journal of one body moves and hits inside the bearing of the other.

@@ -34,6 +34,9 @@ struct ContactSample {
   double penetration = 0.0;
   double normal_force = 0.0;
   double slip_speed = 0.0;
+  double friction_force = 0.0;
+  double bearing_depth = 0.0;
+  double journal_depth = 0.0;
 };
 
 /// y = [q | v | energy integrals] and ẏ. Holds the latches and the workspace of one run.
@@ -82,7 +85,10 @@ class MotionEquations {
             forces.gap.journal_radius,
             forces.gap.penetration,
             forces.normal_force,
-            forces.slip_speed};
+            forces.slip_speed,
+            forces.friction_force,
+            forces.gap.bearing_depth,
+            forces.gap.journal_depth};
   }
 
   std::vector<ContactLatch> latches;

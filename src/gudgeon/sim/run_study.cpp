@@ -29,12 +29,13 @@ std::vector<double> add_depths(std::vector<double> depth, const std::vector<doub
   return depth;
 }
 
-// The surfaces that the next stage runs on.
-void rebuild_surfaces(System& system, const StageRecord& stage) {
+// The surfaces that the next stage runs on, and how far they have slid.
+void rebuild_surfaces(System& system, const StageRecord& stage, double magnification) {
   for (std::size_t k = 0; k < stage.wear.size(); ++k) {
     const JointWear& wear = stage.wear[k];
     set_surfaces(system, k, RadialProfile(add_depths(wear.bearing_depth, wear.bearing_depth_added)),
                  RadialProfile(add_depths(wear.journal_depth, wear.journal_depth_added)));
+    system.tables.contacts[k].sliding_distance += magnification * wear.sliding_distance;
   }
 }
 
@@ -76,7 +77,7 @@ class StudyRunner {
         fail_stage(stage_name(wear_updates + 1), worn_through);
         break;
       }
-      rebuild_surfaces(system, stages_.back());
+      rebuild_surfaces(system, stages_.back(), study_.magnification);
     }
     return std::move(stages_);
   }

@@ -27,7 +27,9 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
   record_.name = std::move(name);
   record_.cycle_time = cycle_time;
   record_.start_time = warm_up_end_;
-  for (const Contact& contact : system.tables.contacts) wear_.emplace_back(contact, study.deposition, study.regions);
+  for (const Contact& contact : system.tables.contacts) {
+    wear_.emplace_back(contact, study.deposition, study.regions, study.magnification);
+  }
 }
 
 StageRecord StageRun::run(const State& start, const std::stop_token& stop,
@@ -171,8 +173,7 @@ void StageRun::finish() {
   }
   record_.events = std::move(history_.events());
   for (std::size_t k = 0; k < wear_.size(); ++k) {
-    record_.wear.push_back(
-        wear_[k].summarize(system_.mechanism.joints[system_.tables.contacts[k].joint].name, study_.magnification));
+    record_.wear.push_back(wear_[k].summarize(system_.mechanism.joints[system_.tables.contacts[k].joint].name));
   }
   // A failed attempt may have left anything in the workspace: evaluate the last accepted state again.
   motion_.evaluate_again();

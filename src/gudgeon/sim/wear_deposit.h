@@ -11,12 +11,15 @@
 
 namespace gudgeon {
 
-/// dh = k_d p ds for both surfaces of one joint; eqs. (26) to (32) of the paper. Pressure is uniform over the contact
-/// arc, p = F/(w L). Spread deposition lays the depth over the arc, so that the removed volume is ∫ k_d F ds whatever
-/// the number of regions; point deposition gives it to the one region of the contact point.
+/// dh = ḣ dt for both surfaces of one joint; eqs. (26) to (32) of the paper. The laws are asked once for an arc, with
+/// its mean pressure F/(w L) and with what holds at its middle; as they are proportional to the pressure, its
+/// distribution is that of the depth. Spread deposition lays the depth over the arc, so that the removed volume does
+/// not depend on the number of regions; point deposition gives the depth at the middle to the one region of the contact
+/// point.
 class WearDeposit {
  public:
-  WearDeposit(const Contact& contact, Deposition deposition, int n_regions);
+  /// What the stage wears is handed out times the magnification, and the laws see the sliding distance so.
+  WearDeposit(const Contact& contact, Deposition deposition, int n_regions, double magnification = 1.0);
 
   /// One stage of an accepted step, weight [s] being its share of the step's length. Negative weights are part of the
   /// integrator's rule.
@@ -25,11 +28,14 @@ class WearDeposit {
   void add_contact_time(double time) noexcept { contact_time_ += time; }
 
   /// What the stage wore, magnified. The surfaces it ran on are taken from the contact.
-  [[nodiscard]] JointWear summarize(const std::string& joint, double magnification) const;
+  [[nodiscard]] JointWear summarize(const std::string& joint) const;
 
  private:
+  void lay(ArcAccumulator& surface, double angle, double width, double mean_depth) const noexcept;
+
   const Contact* contact_;
   Deposition deposition_;
+  double magnification_;
   ArcAccumulator bearing_;
   ArcAccumulator journal_;
   ArcAccumulator total_;  // both surfaces, over the bearing's circumference

@@ -256,6 +256,7 @@ class TableCompiler {
     contact.journal_wear = joint.contact.journal_wear;
     contact.onset_speed_floor = joint.contact.onset_speed_floor;
     contact.normal_direction = joint.contact.normal_direction;
+    contact.pressure = joint.contact.pressure;
     tables_.contacts.push_back(std::move(contact));
   }
 

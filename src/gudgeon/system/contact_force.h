@@ -32,6 +32,8 @@ struct Contact {
   AnyWear journal_wear;
   double onset_speed_floor = 0.0;  ///< [m/s]
   NormalDirection normal_direction = NormalDirection::gap_gradient;
+  PressureDistribution pressure = PressureDistribution::uniform;
+  double sliding_distance = 0.0;  ///< [m] slid in the stages before this one, magnified
 };
 
 /// What changes only at accepted events: whether the surfaces are taken to touch, and how fast they met.

@@ -23,6 +23,7 @@ struct Friction {
 
 /// A friction law maps slip speed v and, when it has a bristle, its deflection z to the signed coefficient μ and to ż.
 /// Odd: μ(−v, −z) = −μ(v, z). Without a bristle μ has v's sign.
+/// With one, z starts at zero and ż(−v, −z) = −ż(v, z); the energy that bristles hold is σ₀ z²/2 per normal force.
 template <class Law>
 concept FrictionLaw = LawValue<Law> && requires(const Law law, const FrictionContact contact) {
   { law(contact) }

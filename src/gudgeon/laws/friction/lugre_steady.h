@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "gudgeon/laws/friction/friction.h"
+#include "gudgeon/laws/friction/stribeck_level.h"
 
 namespace gudgeon {
 
@@ -44,9 +45,7 @@ struct LugreSteady {
 
   Friction operator()(const FrictionContact& contact) const noexcept {
     const double slip_speed = contact.slip_speed;
-    const double ratio = std::abs(slip_speed) / stribeck_speed;
-    const double decay = decay_exponent == 2.0 ? ratio * ratio : std::pow(ratio, decay_exponent);
-    const double level = kinetic_coefficient + (static_coefficient - kinetic_coefficient) * std::exp(-decay);
+    const double level = find_stribeck_level(*this, slip_speed);
     return {level * std::tanh(slip_speed / transition_speed) + viscous_coefficient * slip_speed};
   }
 };

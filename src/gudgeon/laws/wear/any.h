@@ -7,10 +7,14 @@
 #include <variant>
 
 #include "gudgeon/laws/wear/archard.h"
+#include "gudgeon/laws/wear/archard_hardness.h"
+#include "gudgeon/laws/wear/energy_wear.h"
 #include "gudgeon/laws/wear/no_wear.h"
+#include "gudgeon/laws/wear/running_in_depth.h"
+#include "gudgeon/laws/wear/running_in_distance.h"
 
 namespace gudgeon {
 
-using AnyWear = std::variant<NoWear, Archard>;
+using AnyWear = std::variant<NoWear, Archard, ArchardHardness, RunningInDepth, RunningInDistance, EnergyWear>;
 
 }  // namespace gudgeon

@@ -23,6 +23,8 @@ struct Archard {
       {"coefficient", "k_d", dimension::kPerPressure, kNotNegative, "linear wear coefficient", &Archard::coefficient},
   }};
 
+  [[nodiscard]] Archard share_of(double share) const { return {share * coefficient}; }
+
   double operator()(const WearContact& contact) const noexcept {
     return coefficient * contact.pressure * contact.slip_speed;
   }

@@ -16,6 +16,8 @@ struct NoWear {
   static constexpr std::string_view kFormula = "ḣ = 0";
   static constexpr std::array<Parameter<NoWear>, 0> kParameters{};
 
+  [[nodiscard]] NoWear share_of(double /*share*/) const { return {}; }
+
   double operator()(const WearContact& /*contact*/) const noexcept { return 0.0; }
 };
 static_assert(WearLaw<NoWear>);

@@ -20,11 +20,13 @@ struct WearContact {
 };
 
 /// A wear law maps them to the rate of depth loss ḣ [m/s], >= 0, proportional to the pressure: the volume lost over an
-/// arc then does not depend on how the force is spread over it.
+/// arc then does not depend on how the force is spread over it. NaN in, NaN out, unless nothing wears. share_of(x) is
+/// the law of a surface that takes the share x in [0, 1] of the wear.
 template <class Law>
 concept WearLaw = LawValue<Law> && requires(const Law law, const WearContact contact) {
   { law(contact) }
   noexcept->std::same_as<double>;
+  { law.share_of(0.5) } -> std::same_as<Law>;
 };
 
 }  // namespace gudgeon
