@@ -31,7 +31,7 @@ struct Motion {
     const double* y = integrator.y().data();
     const auto n_free = static_cast<std::size_t>(system.tables.counts.n_free());
     update_coordinates(system.tables, integrator.time(), y, y + n_free, workspace.coordinates);
-    update_contact_motions(system.tables, workspace);
+    update_point_motions(system.tables, workspace);
     const Contact& at = system.tables.contacts[contact];
     return find_revolute_gap(at.surfaces, find_contact_motion(at, workspace));
   }

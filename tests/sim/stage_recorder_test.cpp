@@ -38,7 +38,7 @@ struct Recorded {
     std::ranges::copy(state.v, y.begin() + static_cast<std::ptrdiff_t>(equations.n_free()));
     for (ContactLatch& latch : equations.latches) latch = {true, 0.1};
     equations.eval(kTime, y.data(), slope.data());
-    update_contact_motions(system.tables, equations.workspace);
+    update_point_motions(system.tables, equations.workspace);
     gaps.resize(system.tables.contacts.size());
     ContactEvents(system.tables).find_gaps(equations.workspace, gaps);
   }

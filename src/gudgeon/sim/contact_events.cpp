@@ -38,7 +38,7 @@ ContactEvents::ContactEvents(const Tables& tables)
     : tables_(&tables), interpolated_(2 * static_cast<std::size_t>(tables.counts.n_free())) {}
 
 void ContactEvents::find_gaps(Workspace& workspace, std::vector<GapState>& gaps) const noexcept {
-  update_contact_motions(*tables_, workspace);
+  update_point_motions(*tables_, workspace);
   for (std::size_t k = 0; k < gaps.size(); ++k) gaps[k] = find_gap(k, workspace);
 }
 
@@ -57,7 +57,7 @@ GapState ContactEvents::find_gap_at(double share, std::size_t contact, const Dor
   step.interpolate(share, 2 * n_free, interpolated_.data());
   update_coordinates(*tables_, step.start_time() + share * step.step(), interpolated_.data(),
                      interpolated_.data() + n_free, workspace.coordinates);
-  update_contact_motions(*tables_, workspace);
+  update_point_motions(*tables_, workspace);
   return find_gap(contact, workspace);
 }
 

@@ -154,7 +154,7 @@ void StageRecorder::fill_energies(const Workspace& workspace, double initial_ene
 
 void StageRecorder::sample(double time, Workspace& workspace, std::span<const ContactLatch> latches,
                            double initial_energy, const double* integrals) {
-  update_contact_motions(system_->tables, workspace);
+  update_point_motions(system_->tables, workspace);
   motion_.update(workspace);
   reaction_.update(workspace, motion_.motions());
   next_ = 0;

@@ -224,7 +224,7 @@ class TableCompiler {
     for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
       if (const auto* joint = std::get_if<RevoluteClearance>(&mechanism_.joints[j].kind)) add_contact(j, *joint);
     }
-    for (const PointChain::Row& row : tables_.contact_points.rows()) {
+    for (const PointChain::Row& row : tables_.points.rows()) {
       tables_.chain_index_turn.push_back(tables_.find_turn_index(row.turn));
       tables_.chain_index_slide.push_back(tables_.find_slide_index(row.slide));
     }
@@ -235,8 +235,8 @@ class TableCompiler {
     const BodyNode& journal = topology_.bodies[find_body(mechanism_, joint.journal.body)];
     Contact contact;
     contact.joint = j;
-    contact.bearing_row = tables_.contact_points.add(find_anchor_path(joint.bearing), topology_.counts);
-    contact.journal_row = tables_.contact_points.add(find_anchor_path(joint.journal), topology_.counts);
+    contact.bearing_row = tables_.points.add(find_anchor_path(joint.bearing), topology_.counts);
+    contact.journal_row = tables_.points.add(find_anchor_path(joint.journal), topology_.counts);
     contact.bearing_turn = bearing.turn;
     contact.journal_turn = journal.turn;
     contact.bearing_offset = bearing.offset;

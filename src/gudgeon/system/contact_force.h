@@ -12,7 +12,7 @@ namespace gudgeon {
 /// A clearance joint compiled: its surfaces, its laws, and where its points and bodies are in the tables.
 struct Contact {
   int joint = 0;        ///< index into Mechanism::joints
-  int bearing_row = 0;  ///< of the bearing's centre in the chain of contact points
+  int bearing_row = 0;  ///< of the bearing's centre in the chain of points
   int journal_row = 0;
   int bearing_turn = 0;
   int journal_turn = 0;

@@ -39,13 +39,13 @@ void update_coordinates(const Tables& tables, double t, const double* q, const d
   }
 }
 
-void update_contact_motions(const Tables& tables, Workspace& workspace) noexcept {
-  tables.contact_points.find_motions(workspace.coordinates, workspace.contact_motions.data());
+void update_point_motions(const Tables& tables, Workspace& workspace) noexcept {
+  tables.points.find_motions(workspace.coordinates, workspace.point_motions.data());
 }
 
 RelativeMotion find_contact_motion(const Contact& contact, const Workspace& workspace) noexcept {
-  const auto& bearing = workspace.contact_motions[contact.bearing_row];
-  const auto& journal = workspace.contact_motions[contact.journal_row];
+  const auto& bearing = workspace.point_motions[contact.bearing_row];
+  const auto& journal = workspace.point_motions[contact.journal_row];
   return find_contact_motion(contact, workspace.coordinates, bearing.position, bearing.velocity, journal.position,
                              journal.velocity);
 }

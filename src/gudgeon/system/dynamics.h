@@ -20,10 +20,10 @@ struct Feedback {
 void update_coordinates(const Tables& tables, double t, const double* q, const double* v,
                         Coordinates& coordinates) noexcept;
 
-/// Positions and velocities of the contact points, in workspace.contact_motions.
-void update_contact_motions(const Tables& tables, Workspace& workspace) noexcept;
+/// Positions and velocities of the points that contacts and loads act on, in workspace.point_motions.
+void update_point_motions(const Tables& tables, Workspace& workspace) noexcept;
 
-/// The state of one contact's gap; needs update_contact_motions.
+/// The state of one contact's gap; needs update_point_motions.
 RelativeMotion find_contact_motion(const Contact& contact, const Workspace& workspace) noexcept;
 
 /// Solves [H Jᵀ; J 0] [q̈; −λ] = [Q; γ] for the state (t, q, v) with the given latches, one a contact.

@@ -80,27 +80,27 @@ void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, W
     ws.contact_forces[k] = {};
   }
   if (!any) return;
-  update_contact_motions(tables, ws);
-  std::ranges::fill(ws.contact_loads, Vec2{});
+  update_point_motions(tables, ws);
+  std::ranges::fill(ws.point_loads, Vec2{});
   for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
     if (!latches[k].in_contact) continue;
     const Contact& contact = tables.contacts[k];
     const ContactForces forces = find_contact_forces(contact, find_contact_motion(contact, ws), latches[k]);
-    ws.contact_loads[contact.journal_row] += forces.force_on_journal;
-    ws.contact_loads[contact.bearing_row] -= forces.force_on_journal;
+    ws.point_loads[contact.journal_row] += forces.force_on_journal;
+    ws.point_loads[contact.bearing_row] -= forces.force_on_journal;
     ws.equations[contact.journal_index] += forces.torque_on_journal;
     ws.equations[contact.bearing_index] += forces.torque_on_bearing;
     ws.contact_forces[k] = forces;
   }
   // Virtual work of each row's force, handed down to the row it starts from.
-  const auto& rows = tables.contact_points.rows();
+  const auto& rows = tables.points.rows();
   for (std::size_t r = rows.size(); r-- > 0;) {
     const PointChain::Row& row = rows[r];
-    const Vec2 load = ws.contact_loads[r];
+    const Vec2 load = ws.point_loads[r];
     const Vec2 arm = ws.coordinates.rotation[row.turn] * row.vector;
     ws.equations[tables.chain_index_turn[r]] += ws.coordinates.slide[row.slide] * cross(arm, load);
     ws.equations[tables.chain_index_slide[r]] += dot(arm, load);
-    if (row.predecessor >= 0) ws.contact_loads[row.predecessor] += load;
+    if (row.predecessor >= 0) ws.point_loads[row.predecessor] += load;
   }
 }
 

@@ -115,7 +115,7 @@ struct Tables {
   Elimination elimination;
   std::vector<double> usual_inverse_pivots;  ///< of the elimination at the start; none until they are known
 
-  PointChain contact_points;
+  PointChain points;                  ///< that contacts and variable loads act on or look at
   std::vector<int> chain_index_turn;  ///< equation of each chain row's turn
   std::vector<int> chain_index_slide;
   std::vector<Contact> contacts;
