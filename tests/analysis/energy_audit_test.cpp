@@ -14,13 +14,13 @@ namespace gudgeon {
 namespace {
 
 TEST(EnergyAudit, LinesAddUpToTheResidual) {
-  const EnergyLedger ledger{1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 512.0};
+  const EnergyLedger ledger{1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 256.0, 512.0, 1024.0};
   const EnergyAudit audit = check_energy(ledger);
   double sum = 0.0;
   for (const EnergyLine& line : audit.lines) sum += line.value;
   EXPECT_EQ(sum, ledger.residual());
   EXPECT_EQ(audit.residual, ledger.residual());
-  EXPECT_EQ(audit.relative, std::abs(ledger.residual()) / 512.0);
+  EXPECT_EQ(audit.relative, std::abs(ledger.residual()) / 1024.0);
   EXPECT_FALSE(audit.closed);
 }
 

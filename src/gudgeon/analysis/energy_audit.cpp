@@ -17,6 +17,8 @@ EnergyAudit check_energy(const EnergyLedger& ledger) {
       {"elastic in contacts at the end", ledger.elastic},
       {"at the start", -ledger.initial_energy},
       {"work of the drivers", -ledger.driver_work},
+      {"work of forces and torques", -ledger.load_work},
+      {"lost in dampers", ledger.damper_loss},
       {"lost to contact damping", ledger.contact_damping},
       {"lost to friction", ledger.friction},
       {"work of worn surfaces", -ledger.surface_work},

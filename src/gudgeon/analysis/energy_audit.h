@@ -21,7 +21,7 @@ struct EnergyLine {
 };
 
 struct EnergyAudit {
-  std::array<EnergyLine, 8> lines;
+  std::array<EnergyLine, 10> lines;
   double residual = 0.0;  ///< [J] sum of the lines
   double scale = 0.0;     ///< [J] energy exchanged; where nothing was, the largest energy held
   double relative = 0.0;  ///< [1] |residual| / scale

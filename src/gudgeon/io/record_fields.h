@@ -21,6 +21,7 @@ struct Field {
   const char* name;
   const char* unit;
   Value Record::*member;
+  bool may_lack = false;  ///< files of before it was there are read with the value of a new record
 };
 
 inline constexpr std::array kStageReals{
@@ -35,8 +36,8 @@ inline constexpr std::array kEnergyReals{
     Field<EnergyLedger, double>{"potential", "J", &EnergyLedger::potential},
     Field<EnergyLedger, double>{"elastic", "J", &EnergyLedger::elastic},
     Field<EnergyLedger, double>{"driver_work", "J", &EnergyLedger::driver_work},
-    Field<EnergyLedger, double>{"load_work", "J", &EnergyLedger::load_work},
-    Field<EnergyLedger, double>{"damper_loss", "J", &EnergyLedger::damper_loss},
+    Field<EnergyLedger, double>{"load_work", "J", &EnergyLedger::load_work, true},
+    Field<EnergyLedger, double>{"damper_loss", "J", &EnergyLedger::damper_loss, true},
     Field<EnergyLedger, double>{"contact_damping", "J", &EnergyLedger::contact_damping},
     Field<EnergyLedger, double>{"friction", "J", &EnergyLedger::friction},
     Field<EnergyLedger, double>{"surface_work", "J", &EnergyLedger::surface_work},

@@ -19,7 +19,10 @@ namespace {
 
 template <class Record, class Fields>
 void read_reals(const Hdf5Handle& node, Record& record, const Fields& fields) {
-  for (const auto& field : fields) record.*field.member = read_real_attribute(node, field.name);
+  for (const auto& field : fields) {
+    if (field.may_lack && !has_attribute(node, field.name)) continue;
+    record.*field.member = read_real_attribute(node, field.name);
+  }
 }
 
 StageStatus read_status(const Hdf5Handle& node) {

@@ -111,6 +111,8 @@ std::string render_energy(const RunRecord& run, bool color) {
     table.add_row(std::move(row));
   };
   for (std::size_t k = 0; k < audits.front().lines.size(); ++k) {
+    // What no stage has any of is left out.
+    if (std::ranges::all_of(audits, [k](const EnergyAudit& audit) { return audit.lines[k].value == 0.0; })) continue;
     add_row(audits.front().lines[k].meaning,
             [k](const EnergyAudit& audit) { return format_engineering(audit.lines[k].value, "J"); });
   }

@@ -63,15 +63,17 @@ class MotionEquations {
     }
     double* power = slope + 2 * n_free_;
     power[kDriverWork] = find_driver_power(*tables_, workspace);
-    power[kLoadWork] = power[kDamperLoss] = 0.0;
+    power[kLoadWork] = workspace.loads.work_power;
+    power[kDamperLoss] = workspace.loads.damper_power;
     power[kContactDamping] = power[kFrictionLoss] = power[kSurfaceWork] = 0.0;
     for (const ContactForces& forces : workspace.contact_forces) {
       power[kContactDamping] += forces.damping_power;
       power[kFrictionLoss] += forces.friction_power;
       power[kSurfaceWork] += forces.surface_power;
     }
-    power[kExchanged] = std::abs(power[kDriverWork]) + std::abs(find_load_power(*tables_, workspace.coordinates)) +
-                        std::abs(power[kContactDamping]) + power[kFrictionLoss];
+    const double potential = find_load_power(*tables_, workspace.coordinates) - workspace.loads.storing_power;
+    power[kExchanged] = std::abs(power[kDriverWork]) + std::abs(potential) + std::abs(power[kLoadWork]) +
+                        power[kDamperLoss] + std::abs(power[kContactDamping]) + power[kFrictionLoss];
   }
 
   /// The last evaluation's contact, as wear sees it.

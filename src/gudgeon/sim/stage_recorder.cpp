@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gudgeon/sim/load_channels.h"
+
 namespace gudgeon {
 
 namespace {
@@ -31,6 +33,7 @@ StageRecorder::StageRecorder(const System& system)
   add_clearance_channels();
   add_joint_channels();
   add_driver_channels();
+  add_load_channels();
   add_energy_channels();
   row_.resize(channels_.size());
   values_.resize(channels_.size());
@@ -97,11 +100,25 @@ void StageRecorder::add_driver_channels() {
   }
 }
 
+// Loads may have the names of joints or bodies: what is taken then is told apart.
+void StageRecorder::add_load_channels() {
+  for (const Load& load : system_->mechanism.loads) {
+    for (const LoadChannel& channel : list_load_channels(load.kind)) {
+      std::string name = fmt::format("{}.{}", load.name, channel.ending);
+      const bool taken = std::ranges::find(channels_, name, &Channel::name) != channels_.end();
+      if (taken) name = fmt::format("{}.load.{}", load.name, channel.ending);
+      add(std::move(name), channel.symbol, channel.unit, channel.description);
+    }
+  }
+}
+
 void StageRecorder::add_energy_channels() {
   add("energy.kinetic", "T", "J", "Kinetic energy of all bodies");
-  add("energy.potential", "V", "J", "Potential energy of gravity and constant loads");
+  add("energy.potential", "V", "J", "Potential energy of gravity, constant loads and springs");
   add("energy.elastic", "U", "J", "Energy stored in contacts");
   add("energy.driver_work", "W_d", "J", "Work done by the drivers since the start");
+  add("energy.load_work", "W_l", "J", "Work done by variable forces and torques since the start");
+  add("energy.damper_loss", "D_l", "J", "Energy lost in dampers since the start");
   add("energy.contact_damping", "D", "J", "Energy lost in contacts along their normal since the start");
   add("energy.friction", "W_f", "J", "Energy lost to friction since the start");
   add("energy.residual", "ε", "J", "What the ledger lacks to balance");
@@ -109,8 +126,8 @@ void StageRecorder::add_energy_channels() {
 
 StageRecorder::Energies StageRecorder::find_energies(const Workspace& workspace) {
   motion_.update(workspace);
-  return {find_kinetic_energy(system_->mechanism, motion_.motions()),
-          find_potential_energy(system_->tables, workspace.coordinates), find_elastic_energy(workspace)};
+  return {find_kinetic_energy(system_->mechanism, motion_.motions()), find_potential_energy(system_->tables, workspace),
+          find_elastic_energy(workspace)};
 }
 
 void StageRecorder::fill_bodies() {
@@ -144,12 +161,20 @@ void StageRecorder::fill_joints() {
   }
 }
 
+void StageRecorder::fill_loads(const Workspace& workspace) {
+  const auto& loads = system_->mechanism.loads;
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    for (const LoadChannel& channel : list_load_channels(loads[k].kind)) put(channel.find(workspace.loads.effects[k]));
+  }
+}
+
 void StageRecorder::fill_energies(const Workspace& workspace, double initial_energy, const double* integrals) {
   const Energies energies = find_energies(workspace);
   put(energies.kinetic), put(energies.potential), put(energies.elastic);
-  put(integrals[kDriverWork]), put(integrals[kContactDamping]), put(integrals[kFrictionLoss]);
-  put(energies.total() - initial_energy - integrals[kDriverWork] + integrals[kContactDamping] +
-      integrals[kFrictionLoss] - integrals[kSurfaceWork]);
+  put(integrals[kDriverWork]), put(integrals[kLoadWork]), put(integrals[kDamperLoss]);
+  put(integrals[kContactDamping]), put(integrals[kFrictionLoss]);
+  put(energies.total() - initial_energy - integrals[kDriverWork] - integrals[kLoadWork] + integrals[kDamperLoss] +
+      integrals[kContactDamping] + integrals[kFrictionLoss] - integrals[kSurfaceWork]);
 }
 
 void StageRecorder::sample(double time, Workspace& workspace, std::span<const ContactLatch> latches,
@@ -162,6 +187,7 @@ void StageRecorder::sample(double time, Workspace& workspace, std::span<const Co
   fill_clearances(workspace, latches);
   fill_joints();
   for (const double effort : workspace.effort) put(effort);
+  fill_loads(workspace);
   fill_energies(workspace, initial_energy, integrals);
   time_.push_back(time);
   std::size_t n_sampled = 0;

@@ -45,11 +45,13 @@ class StageRecorder {
   void add_clearance_channels();
   void add_joint_channels();
   void add_driver_channels();
+  void add_load_channels();
   void add_energy_channels();
   void add(std::string name, std::string symbol, std::string unit, std::string description, bool watched = false);
   void fill_bodies();
   void fill_clearances(const Workspace& workspace, std::span<const ContactLatch> latches);
   void fill_joints();
+  void fill_loads(const Workspace& workspace);
   void fill_energies(const Workspace& workspace, double initial_energy, const double* integrals);
   void put(double value) { row_[next_++] = value; }
   void put(Vec2 value) { put(value.x), put(value.y); }

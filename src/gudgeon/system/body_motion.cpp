@@ -4,6 +4,8 @@
 // One chain through all centres of mass.
 #include "gudgeon/system/body_motion.h"
 
+#include "gudgeon/system/load_forces.h"
+
 namespace gudgeon {
 
 BodyMotionFinder::BodyMotionFinder(const System& system) : system_(&system) {
@@ -59,6 +61,10 @@ double find_potential_energy(const Tables& tables, const Coordinates& coordinate
   }
   for (const TurnTorque& torque : tables.torques) energy -= torque.torque * coordinates.angle[torque.turn];
   return energy;
+}
+
+double find_potential_energy(const Tables& tables, const Workspace& workspace) noexcept {
+  return find_potential_energy(tables, workspace.coordinates) + find_spring_energy(workspace);
 }
 
 double find_elastic_energy(const Workspace& workspace) noexcept {

@@ -46,6 +46,8 @@ double find_kinetic_energy(const Mechanism& mechanism, const std::vector<BodyMot
 
 /// Potential energy [J] of gravity, constant forces and torques, relative to the frame's origin and zero angles.
 double find_potential_energy(const Tables& tables, const Coordinates& coordinates) noexcept;
+/// The same and the energy stored in springs, torsion springs and bushings, from the last evaluation.
+double find_potential_energy(const Tables& tables, const Workspace& workspace) noexcept;
 
 /// Energy [J] stored in all contacts, from the last evaluation.
 double find_elastic_energy(const Workspace& workspace) noexcept;

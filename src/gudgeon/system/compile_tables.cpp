@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "gudgeon/system/compile_loads.h"
 #include "gudgeon/system/kinetic_terms.h"
 #include "gudgeon/system/tables.h"
 
@@ -44,6 +45,8 @@ class TableCompiler {
     fill_kinetic_tables();
     fill_closure_slots();
     compile_contacts();
+    compile_loads(mechanism_, topology_, tables_);
+    index_points();
     return std::move(tables_);
   }
 
@@ -224,6 +227,9 @@ class TableCompiler {
     for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
       if (const auto* joint = std::get_if<RevoluteClearance>(&mechanism_.joints[j].kind)) add_contact(j, *joint);
     }
+  }
+
+  void index_points() {
     for (const PointChain::Row& row : tables_.points.rows()) {
       tables_.chain_index_turn.push_back(tables_.find_turn_index(row.turn));
       tables_.chain_index_slide.push_back(tables_.find_slide_index(row.slide));

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "gudgeon/system/load_forces.h"
+
 namespace gudgeon {
 
 namespace {
@@ -74,14 +76,6 @@ void add_constant_loads(const Tables& tables, Workspace& ws) noexcept {
 }
 
 void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, Workspace& ws) noexcept {
-  bool any = false;
-  for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
-    any = any || latches[k].in_contact;
-    ws.contact_forces[k] = {};
-  }
-  if (!any) return;
-  update_point_motions(tables, ws);
-  std::ranges::fill(ws.point_loads, Vec2{});
   for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
     if (!latches[k].in_contact) continue;
     const Contact& contact = tables.contacts[k];
@@ -92,7 +86,10 @@ void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, W
     ws.equations[contact.bearing_index] += forces.torque_on_bearing;
     ws.contact_forces[k] = forces;
   }
-  // Virtual work of each row's force, handed down to the row it starts from.
+}
+
+// Virtual work of each row's force, handed down to the row it starts from.
+void add_point_loads(const Tables& tables, Workspace& ws) noexcept {
   const auto& rows = tables.points.rows();
   for (std::size_t r = rows.size(); r-- > 0;) {
     const PointChain::Row& row = rows[r];
@@ -102,6 +99,22 @@ void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, W
     ws.equations[tables.chain_index_slide[r]] += dot(arm, load);
     if (row.predecessor >= 0) ws.point_loads[row.predecessor] += load;
   }
+}
+
+// All that acts at points; nothing is done for them where nothing acts.
+void add_forces_at_points(const Tables& tables, double t, std::span<const ContactLatch> latches,
+                          Workspace& ws) noexcept {
+  bool any = tables.loads.vary();
+  for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
+    any = any || latches[k].in_contact;
+    ws.contact_forces[k] = {};
+  }
+  if (!any) return;
+  update_point_motions(tables, ws);
+  std::ranges::fill(ws.point_loads, Vec2{});
+  add_contacts(tables, latches, ws);
+  if (tables.loads.vary()) add_variable_loads(tables, t, ws);
+  add_point_loads(tables, ws);
 }
 
 // Position, velocity and velocity-dependent acceleration of a closure's sum.
@@ -170,14 +183,14 @@ void add_closures(const Tables& tables, Feedback feedback, Workspace& ws) noexce
 
 }  // namespace
 
-void assemble_equations(const Tables& tables, std::span<const ContactLatch> latches, Feedback feedback,
+void assemble_equations(const Tables& tables, double t, std::span<const ContactLatch> latches, Feedback feedback,
                         Workspace& workspace) noexcept {
   std::ranges::copy(tables.constant_values, workspace.values.begin());
   std::ranges::fill(workspace.equations, 0.0);
   add_turn_pairs(tables, workspace);
   add_slide_pairs(tables, workspace);
   add_constant_loads(tables, workspace);
-  add_contacts(tables, latches, workspace);
+  add_forces_at_points(tables, t, latches, workspace);
   add_closures(tables, feedback, workspace);
 }
 

@@ -10,9 +10,9 @@
 
 namespace gudgeon {
 
-/// Writes [H Jᵀ; J 0] into workspace.values and [Q; γ] into workspace.equations for workspace.coordinates, and all
-/// gaps, rates and contact forces on the way.
-void assemble_equations(const Tables& tables, std::span<const ContactLatch> latches, Feedback feedback,
+/// Writes [H Jᵀ; J 0] into workspace.values and [Q; γ] into workspace.equations for workspace.coordinates at time t,
+/// and all gaps, rates, contact forces and loads on the way.
+void assemble_equations(const Tables& tables, double t, std::span<const ContactLatch> latches, Feedback feedback,
                         Workspace& workspace) noexcept;
 
 }  // namespace gudgeon

@@ -38,9 +38,8 @@ KineticTerms sum_kinetic_terms(const Mechanism& mechanism, const Topology& topol
       const int body = find_body(mechanism, force->point.body);
       add_force(topology.find_path(body, find_point(mechanism.bodies[body], force->point.point)->position),
                 force->force);
-    } else {
-      const auto& torque = std::get<ConstantTorque>(load.kind);
-      sums.turn_torque[topology.bodies[find_body(mechanism, torque.body)].turn] += torque.torque;
+    } else if (const auto* torque = std::get_if<ConstantTorque>(&load.kind)) {
+      sums.turn_torque[topology.bodies[find_body(mechanism, torque->body)].turn] += torque->torque;
     }
   }
   return sums;

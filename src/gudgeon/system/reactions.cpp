@@ -19,11 +19,23 @@ ReactionFinder::ReactionFinder(const System& system) : system_(&system) {
     const auto [first, second] = anchors(joint.kind);
     ends_.push_back({anchored(first), anchored(second)});
   }
+  const auto find_index = [&](const std::string& name) { return find_body(mechanism, name); };
   for (const Load& load : mechanism.loads) {
-    const auto* force = std::get_if<ConstantForce>(&load.kind);
-    load_points_.push_back(force != nullptr
-                               ? anchored(force->point)
-                               : Anchored{find_body(mechanism, std::get<ConstantTorque>(load.kind).body), {}});
+    load_ends_.push_back(std::visit(
+        [&]<class Kind>(const Kind& kind) -> LoadEnds {
+          if constexpr (requires { kind.point; }) {
+            return {-1, anchored(kind.point)};
+          } else if constexpr (requires { kind.against; }) {
+            return {find_index(kind.against), {find_index(kind.body), {}}};
+          } else if constexpr (requires { kind.body; }) {
+            return {-1, {find_index(kind.body), {}}};
+          } else if constexpr (requires { kind.first.body; }) {
+            return {find_index(kind.first.body), anchored(kind.second)};
+          } else {
+            return {find_index(kind.first), {find_index(kind.second), {}}};
+          }
+        },
+        load.kind));
   }
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) outward_.push_back(static_cast<int>(b));
   std::ranges::stable_sort(outward_, {}, [&](int body) { return system.topology.bodies[body].depth; });
@@ -82,16 +94,20 @@ void ReactionFinder::apply_joint_force(int joint, Vec2 force_on_second) noexcept
 }
 
 void ReactionFinder::apply_loads(const Workspace& workspace) noexcept {
-  const Mechanism& mechanism = system_->mechanism;
-  for (std::size_t k = 0; k < mechanism.loads.size(); ++k) {
-    const auto& [body, arm] = load_points_[k];
-    if (const auto* force = std::get_if<ConstantForce>(&mechanism.loads[k].kind)) {
-      const BodyMotion& motion = (*motions_)[body];
-      add_force(body, motion.position + make_rotation(motion.angle) * arm, force->force);
-    } else {
-      moment_needed_[body] -= std::get<ConstantTorque>(mechanism.loads[k].kind).torque;
-    }
+  for (std::size_t k = 0; k < load_ends_.size(); ++k) {
+    const auto& [first, second] = load_ends_[k];
+    const LoadEffect& effect = workspace.loads.effects[k];
+    const BodyMotion& motion = (*motions_)[second.body];
+    const Vec2 at = motion.position + make_rotation(motion.angle) * second.arm;
+    add_force(second.body, at, effect.force);
+    moment_needed_[second.body] -= effect.torque;
+    if (first < 0) continue;
+    add_force(first, at, -effect.force);
+    moment_needed_[first] += effect.torque;
   }
+}
+
+void ReactionFinder::apply_contacts(const Workspace& workspace) noexcept {
   for (std::size_t k = 0; k < workspace.contact_forces.size(); ++k) {
     const ContactForces& forces = workspace.contact_forces[k];
     const int joint = system_->tables.contacts[k].joint;
@@ -164,6 +180,7 @@ const std::vector<JointReaction>& ReactionFinder::update(const Workspace& worksp
     moment_needed_[b] = b == 0 ? 0.0 : body.inertia * motions[b].angle_acceleration;
   }
   apply_loads(workspace);
+  apply_contacts(workspace);
   apply_closures(workspace);
   sweep_tree();
   sweep_ties();

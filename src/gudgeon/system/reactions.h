@@ -41,6 +41,10 @@ class ReactionFinder {
     Anchored first;
     Anchored second;
   };
+  struct LoadEnds {
+    int first = -1;   // body that feels the opposite, or none
+    Anchored second;  // where the force acts
+  };
   struct TieStep {
     int joint;
     int outer;  // body whose moment is known once its own outer ties are
@@ -52,6 +56,7 @@ class ReactionFinder {
   void add_force(int body, Vec2 at, Vec2 force) noexcept;
   void apply_joint_force(int joint, Vec2 force_on_second) noexcept;
   void apply_loads(const Workspace& workspace) noexcept;
+  void apply_contacts(const Workspace& workspace) noexcept;
   void apply_closures(const Workspace& workspace) noexcept;
   void sweep_tree() noexcept;
   void sweep_ties() noexcept;
@@ -62,7 +67,7 @@ class ReactionFinder {
   std::vector<JointEnds> ends_;        // one a joint
   std::vector<int> outward_;           // bodies, children after parents
   std::vector<TieStep> tie_steps_;     // outermost first
-  std::vector<Anchored> load_points_;  // one a load
+  std::vector<LoadEnds> load_ends_;    // one a load
   std::vector<Vec2> force_needed_;     // one a body: what is still missing to its m a
   std::vector<double> moment_needed_;  // one a body: what is still missing to its I θ̈, about its centre of mass
   std::vector<JointReaction> reactions_;

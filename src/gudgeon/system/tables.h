@@ -13,6 +13,7 @@
 
 #include "gudgeon/system/contact_force.h"
 #include "gudgeon/system/elimination.h"
+#include "gudgeon/system/load_tables.h"
 #include "gudgeon/system/point_chain.h"
 #include "gudgeon/system/topology.h"
 
@@ -119,6 +120,7 @@ struct Tables {
   std::vector<int> chain_index_turn;  ///< equation of each chain row's turn
   std::vector<int> chain_index_slide;
   std::vector<Contact> contacts;
+  LoadTables loads;
 
   [[nodiscard]] int bin_index() const { return n_indices - 1; }
   [[nodiscard]] int find_turn_index(int turn) const;

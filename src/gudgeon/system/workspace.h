@@ -24,7 +24,8 @@ struct Workspace {
         closure_rate(tables.closures.size()),
         point_motions(tables.points.rows().size()),
         point_loads(tables.points.rows().size()),
-        contact_forces(tables.contacts.size()) {}
+        contact_forces(tables.contacts.size()),
+        loads(tables.loads) {}
 
   Coordinates coordinates;
   std::vector<double> values;  ///< matrix entries by slot; after a solve the factors
@@ -38,6 +39,7 @@ struct Workspace {
   std::vector<PointChain::PointMotion> point_motions;
   std::vector<Vec2> point_loads;  ///< force on each chain row [N]
   std::vector<ContactForces> contact_forces;
+  LoadScratch loads;
 };
 
 }  // namespace gudgeon
