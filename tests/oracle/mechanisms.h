@@ -50,6 +50,27 @@ Mechanism make_free_pair();
 /// The paper's press (nine_bar.md): clearance joints A and B, Lankarani-Nikravesh, lugre_steady, archard.
 Mechanism make_nine_bar();
 
+/// make_four_bar() with springs and dampers to the frame and between moving bodies.
+Mechanism make_sprung_four_bar();
+/// make_slider_crank() with a motor's torque-speed line and a press force over the slider's displacement.
+Mechanism make_press();
+/// Two links, each with a controller that follows a reference angle.
+Mechanism make_controlled_arm();
+/// A loose body on a bushing at the tip of a swinging bar.
+Mechanism make_pod_on_bushing();
+/// make_rigid_chain() with torsion springs between its bodies.
+Mechanism make_torsion_chain();
+/// make_five_bar() with a force that turns with a rod, over a periodic curve of the time.
+Mechanism make_pushed_five_bar();
+/// make_driven_slide() with a spring, a follower force and a brake.
+Mechanism make_loaded_driven_slide();
+/// make_two_slides() with forces over both displacements and speeds.
+Mechanism make_loaded_slides();
+/// make_slider_crank_clearance() with loads on the journal's body.
+Mechanism make_loaded_clearance();
+/// All mechanisms with variable loads.
+std::vector<Mechanism> make_loaded_mechanisms();
+
 /// One of each.
 std::vector<Mechanism> make_all_mechanisms();
 

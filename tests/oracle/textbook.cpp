@@ -8,6 +8,8 @@
 #include <array>
 #include <numbers>
 
+#include "tests/oracle/textbook_loads.h"
+
 namespace gudgeon::oracle {
 
 namespace {
@@ -136,8 +138,8 @@ Eigen::VectorXd Textbook::make_masses() const {
   return masses;
 }
 
-Eigen::VectorXd Textbook::eval_applied(const TextbookState& state,
-                                       const std::vector<TextbookContactForce>& contacts) const {
+Eigen::VectorXd Textbook::eval_applied(const TextbookState& state, const std::vector<TextbookContactForce>& contacts,
+                                       const TextbookLoads& loads) const {
   Eigen::VectorXd applied = Eigen::VectorXd::Zero(3 * mechanism_.bodies.size());
   for (int body = 1; body < std::ssize(mechanism_.bodies); ++body) {
     add_force(applied, body, {}, mechanism_.bodies[body].mass * mechanism_.gravity);
@@ -146,10 +148,13 @@ Eigen::VectorXd Textbook::eval_applied(const TextbookState& state,
     if (const auto* force = std::get_if<ConstantForce>(&load.kind)) {
       const Point2 point = eval_point(state, force->point);
       add_force(applied, point.body, point.arm, force->force);
-    } else {
-      const auto& torque = std::get<ConstantTorque>(load.kind);
-      applied(3 * find_body(mechanism_, torque.body) + 2) += torque.torque;
+    } else if (const auto* torque = std::get_if<ConstantTorque>(&load.kind)) {
+      applied(3 * find_body(mechanism_, torque->body) + 2) += torque->torque;
     }
+  }
+  for (const TextbookAction& action : loads.actions) {
+    add_force(applied, action.body, action.at - state.bodies[action.body].center, action.force);
+    applied(3 * action.body + 2) += action.moment;
   }
   auto contact = contacts.begin();
   for (const Joint& joint : mechanism_.joints) {
@@ -167,7 +172,8 @@ TextbookSolution Textbook::solve(const TextbookState& state, double time) const 
   TextbookSolution solution;
   const TextbookRows rows = eval_rows(state, time);
   solution.contacts = eval_contacts(state);
-  const Eigen::VectorXd applied = eval_applied(state, solution.contacts);
+  solution.loads = find_loads(*this, state, time);
+  const Eigen::VectorXd applied = eval_applied(state, solution.contacts, solution.loads);
 
   // [M Φqᵀ; Φq 0] [q̈; λ] = [Q; γ] without the frame's columns
   const Eigen::Index n = applied.size() - 3;
@@ -228,11 +234,11 @@ TextbookEnergy Textbook::eval_energy(const TextbookState& state) const {
   for (const Load& load : mechanism_.loads) {
     if (const auto* force = std::get_if<ConstantForce>(&load.kind)) {
       energy.potential -= dot(force->force, eval_point(state, force->point).position);
-    } else {
-      const auto& torque = std::get<ConstantTorque>(load.kind);
-      energy.potential -= torque.torque * state.bodies.at(find_body(mechanism_, torque.body)).angle;
+    } else if (const auto* torque = std::get_if<ConstantTorque>(&load.kind)) {
+      energy.potential -= torque->torque * state.bodies.at(find_body(mechanism_, torque->body)).angle;
     }
   }
+  energy.potential += find_loads(*this, state, 0.0).stored_energy;  // springs do not ask for the time
   for (const TextbookContactForce& contact : eval_contacts(state)) energy.elastic += contact.elastic_energy;
   return energy;
 }

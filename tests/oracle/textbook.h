@@ -74,18 +74,35 @@ struct TextbookContactForce {
   Vec2 force;                     ///< [N] on the journal at Q: −F n + friction t
 };
 
+/// A force at a place and a moment beside it, on one body.
+struct TextbookAction {
+  int body = 0;
+  Vec2 at;              ///< [m]
+  Vec2 force;           ///< [N]
+  double moment = 0.0;  ///< [N m]
+};
+
+/// What all loads but the constant ones do.
+struct TextbookLoads {
+  std::vector<TextbookAction> actions;
+  double stored_energy = 0.0;  ///< [J] in springs
+  double work_power = 0.0;     ///< [W] of variable forces and torques
+  double damper_power = 0.0;   ///< [W] lost
+};
+
 struct TextbookSolution {
   std::vector<TextbookAcceleration> accelerations;  ///< one a body, frame first
   Eigen::VectorXd multipliers;                      ///< λ, in the order of the rows
   std::vector<TextbookReaction> reactions;          ///< one a joint
   std::vector<double> efforts;                      ///< one a driver: [N m] or [N] delivered, positive along its value
   std::vector<TextbookContactForce> contacts;       ///< one a clearance joint
-  int n_redundant_rows = 0;                         ///< if not zero, λ and reactions are one choice among many
+  TextbookLoads loads;
+  int n_redundant_rows = 0;  ///< if not zero, λ and reactions are one choice among many
 };
 
 struct TextbookEnergy {
   double kinetic = 0.0;    ///< [J]
-  double potential = 0.0;  ///< [J] of gravity and constant loads
+  double potential = 0.0;  ///< [J] of gravity, constant loads and springs
   double elastic = 0.0;    ///< [J] of the contacts
   [[nodiscard]] double total() const { return kinetic + potential + elastic; }
 };
@@ -113,7 +130,8 @@ class Textbook {
 
  private:
   [[nodiscard]] Eigen::VectorXd eval_applied(const TextbookState& state,
-                                             const std::vector<TextbookContactForce>& contacts) const;
+                                             const std::vector<TextbookContactForce>& contacts,
+                                             const TextbookLoads& loads) const;
   [[nodiscard]] Eigen::VectorXd make_masses() const;
   void find_reactions(const TextbookState& state, const TextbookRows& rows, TextbookSolution& solution) const;
 

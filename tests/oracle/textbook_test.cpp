@@ -78,8 +78,9 @@ class Balance {
       const TextbookPoint point = textbook_.eval_point(state_, force->point);
       return add(point.body, point.position, force->force, 0.0);
     }
-    const auto& torque = std::get<ConstantTorque>(load.kind);
-    add(find_body(textbook_.mechanism(), torque.body), {}, {}, torque.torque);
+    if (const auto* torque = std::get_if<ConstantTorque>(&load.kind)) {
+      add(find_body(textbook_.mechanism(), torque->body), {}, {}, torque->torque);
+    }
   }
 
   /// The largest entry but for the frame's.
@@ -106,6 +107,9 @@ double find_imbalance(const Textbook& textbook, const TextbookState& state, cons
     balance.add_effort(mechanism.drivers[i], solution.efforts[i]);
   }
   for (const Load& load : mechanism.loads) balance.add_load(load);
+  for (const TextbookAction& action : solution.loads.actions) {
+    balance.add(action.body, action.at, action.force, action.moment);
+  }
   for (int i = 1; i < std::ssize(mechanism.bodies); ++i) {
     const Body& body = mechanism.bodies[i];
     const TextbookAcceleration& acceleration = solution.accelerations[i];
@@ -176,12 +180,13 @@ TEST_P(EveryMechanism, BalancesEveryBodyWithTheForcesReported) {
   for (const TextbookContactForce& contact : solution.contacts) EXPECT_GT(contact.normal_force, 100.0);
 }
 
-TEST_P(EveryMechanism, GainsTheEnergyThatItsDriversDeliver) {
+TEST_P(EveryMechanism, GainsTheEnergyThatDriversAndLoadsDeliver) {
   const Mechanism ideal = make_ideal(GetParam());
   const Textbook textbook(ideal);
   const TextbookState start = find_start(ideal);
   double power = 0.0;
   const TextbookSolution solution = textbook.solve(start, 0.0);
+  power += solution.loads.work_power - solution.loads.damper_power;
   for (std::size_t i = 0; i < ideal.drivers.size(); ++i) power += solution.efforts[i] * ideal.drivers[i].speed;
   // a fortieth of a millisecond: about 0.01 rad of the fastest driver
   constexpr double kStep = 2.5e-5;
@@ -190,8 +195,12 @@ TEST_P(EveryMechanism, GainsTheEnergyThatItsDriversDeliver) {
   EXPECT_NEAR((after - before) / (2.0 * kStep), power, 1e-3 + 1e-3 * std::abs(power));
 }
 
-INSTANTIATE_TEST_SUITE_P(Oracle, EveryMechanism, testing::ValuesIn(make_all_mechanisms()),
-                         [](const auto& entry) { return entry.param.name + "_" + std::to_string(entry.index); });
+std::string find_name(const testing::TestParamInfo<Mechanism>& entry) {
+  return entry.param.name + "_" + std::to_string(entry.index);
+}
+
+INSTANTIATE_TEST_SUITE_P(Oracle, EveryMechanism, testing::ValuesIn(make_all_mechanisms()), find_name);
+INSTANTIATE_TEST_SUITE_P(OracleWithLoads, EveryMechanism, testing::ValuesIn(make_loaded_mechanisms()), find_name);
 
 }  // namespace
 }  // namespace gudgeon::oracle

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "gudgeon/system/body_motion.h"
+#include "gudgeon/system/load_forces.h"
 #include "gudgeon/system/poses.h"
 #include "gudgeon/system/reactions.h"
 #include "tests/oracle/mechanisms.h"
@@ -155,7 +156,7 @@ TEST_P(EngineAgainstTextbook, EnergiesAgree) {
   for_random_states([&](const RandomStates& states, const std::vector<BodyMotion>& motions,
                         const oracle::TextbookSolution&, const oracle::TextbookEnergy& expected) {
     const double kinetic = find_kinetic_energy(states.system.mechanism, motions);
-    const double potential = find_potential_energy(states.system.tables, states.workspace.coordinates);
+    const double potential = find_potential_energy(states.system.tables, states.workspace);
     EXPECT_NEAR(kinetic, expected.kinetic, kTolerance * (1.0 + expected.kinetic));
     // Potential energies may differ by a constant.
     if (!datum) datum = potential - expected.potential;
@@ -164,10 +165,26 @@ TEST_P(EngineAgainstTextbook, EnergiesAgree) {
   });
 }
 
+TEST_P(EngineAgainstTextbook, LoadPowersAgree) {
+  for_random_states([](const RandomStates& states, const std::vector<BodyMotion>&,
+                       const oracle::TextbookSolution& solution, const oracle::TextbookEnergy&) {
+    const LoadScratch& loads = states.workspace.loads;
+    const double scale = 1.0 + std::abs(solution.loads.work_power) + solution.loads.damper_power;
+    EXPECT_NEAR(loads.work_power, solution.loads.work_power, kTolerance * scale);
+    EXPECT_NEAR(loads.damper_power, solution.loads.damper_power, kTolerance * scale);
+    EXPECT_NEAR(find_spring_energy(states.workspace), solution.loads.stored_energy,
+                kTolerance * (1.0 + solution.loads.stored_energy));
+  });
+}
+
+std::string find_name(const testing::TestParamInfo<Mechanism>& entry) {
+  return entry.param.name + "_" + std::to_string(entry.index);
+}
+
 INSTANTIATE_TEST_SUITE_P(AllMechanisms, EngineAgainstTextbook, testing::ValuesIn(oracle::make_all_mechanisms()),
-                         [](const auto& mechanism) {
-                           return mechanism.param.name + "_" + std::to_string(mechanism.index);
-                         });
+                         find_name);
+INSTANTIATE_TEST_SUITE_P(LoadedMechanisms, EngineAgainstTextbook, testing::ValuesIn(oracle::make_loaded_mechanisms()),
+                         find_name);
 
 }  // namespace
 }  // namespace gudgeon
