@@ -11,6 +11,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gudgeon/sim/lost_load.h"
+
 namespace gudgeon {
 
 StageRun::StageRun(const System& system, const Study& study, double cycle_time, std::string name)
@@ -61,7 +63,9 @@ StageRecord StageRun::run(const State& start, const std::stop_token& stop,
 
 void StageRun::begin(const State& start) {
   if (!motion_.begin(start)) {
-    fail("E-NUM-001", "the start position is singular: accelerations are not determined");
+    const bool lost = find_load_in_the_way(0.0, motion_.y(), motion_.equations()) >= 0;
+    fail("E-NUM-001", lost ? "the accelerations at the start are not determined"
+                           : "the start position is singular: accelerations are not determined");
     return;
   }
   initial_energies_ = recorder_.find_energies(motion_.equations().workspace);
@@ -141,6 +145,14 @@ void StageRun::fail(const std::string& code, const std::string& reason) {
   record_.status = StageStatus::failed;
   record_.message = fmt::format("{}: stopped at t = {:.9g} s (cycle {}): {}", code, motion_.time(),
                                 static_cast<int>(motion_.time() / record_.cycle_time) + 1, reason);
+  if (const int lost = find_load_in_the_way(motion_.time(), motion_.y(), motion_.equations()); lost >= 0) {
+    const Load& load = system_.mechanism.loads[lost];
+    record_.message += fmt::format("; load '{}' has no finite value here: {}", load.name,
+                                   std::holds_alternative<Spring>(load.kind)
+                                       ? "its points coincide, and the direction of its force is lost"
+                                       : "look at where its formula or curve is defined");
+    return;
+  }
   double deepest = 0.0;
   std::size_t stiffest = wear_.size();
   for (std::size_t k = 0; k < wear_.size(); ++k) {
