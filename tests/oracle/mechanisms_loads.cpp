@@ -91,13 +91,13 @@ Mechanism make_loaded_driven_slide() {
   return mechanism;
 }
 
-// Slides of the tree, one of them read backwards.
+// Slides of the tree, one of them read backwards: it grows while the carriage falls.
 Mechanism make_loaded_slides() {
   Mechanism mechanism = make_two_slides();
   mechanism.name = "loaded_slides";
   const Expression hold{"-60 * (lower.displacement - 0.1) - 3 * lower.speed", {}};
   mechanism.loads.push_back({"hold", VariableForce{{"table", "foot"}, hold, 0.0, "table"}});
-  const Expression damp{"-4 * upper.speed - 35 * upper.displacement * abs(upper.displacement)", {}};
+  const Expression damp{"4 * upper.speed + 35 * upper.displacement * abs(upper.displacement)", {}};
   mechanism.loads.push_back({"damp", VariableForce{{"carriage", "hook"}, 0.0, damp, "frame"}});
   mechanism.loads.push_back({"stop", TorsionSpring{"carriage", "pendulum", 1.4, 0.03, -0.5}});
   return mechanism;

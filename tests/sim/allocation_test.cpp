@@ -127,6 +127,17 @@ TEST_P(Loop, OfThePressAllocatesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Loop, testing::Values(Stabilization::projection, Stabilization::baumgarte));
 
+TEST(LoopUnderLoads, AllocatesNothing) {
+  for (const Mechanism& mechanism : oracle::make_loaded_mechanisms()) {
+    const Assembly assembly = assemble(mechanism);
+    const System system = compile(mechanism, assembly);
+    const Outcome outcome = run_motion(system, assembly, {}, mechanism.name == "loaded_clearance" ? 0.024 : 0.5);
+    EXPECT_FALSE(outcome.failed) << mechanism.name;
+    EXPECT_GE(outcome.n_steps, 20) << mechanism.name;
+    EXPECT_EQ(outcome.n_allocations, 0U) << mechanism.name;
+  }
+}
+
 TEST(LoopOverSingularPositions, AllocatesNothing) {
   const Mechanism mechanism = oracle::make_n_four_bar(3);
   const Assembly assembly = assemble(mechanism);

@@ -86,6 +86,42 @@ TEST(StageFailure, ASingularStartIsTold) {
   EXPECT_EQ(stage.end_time, 0.0);
 }
 
+// A block on a guide, from 0.2 m at −1 m/s, under one load.
+StageRecord run_block(const AnyLoad& load, double cycle_time) {
+  Mechanism mechanism = oracle::make_empty("block", {}, {{"wall", {0.0, 0.0}}});
+  mechanism.bodies.push_back({"block", 1.0, 0.1, {}, {{"eye", {0.0, 0.0}}}, {}});
+  Prismatic guide = oracle::make_slide({kFrameName, "wall"}, {"block", "eye"}, 0.0, 0.0, 0.2);
+  guide.start_speed = -1.0;
+  mechanism.joints.push_back({"guide", guide});
+  mechanism.loads.push_back({"culprit", load});
+  return run(mechanism, cycle_time);
+}
+
+TEST(StageFailure, AFormulaBeyondItsRangeIsNamed) {
+  const Expression root{"sqrt(block.x - 0.05)", {}};
+  const StageRecord stage = run_block(VariableForce{{"block", "eye"}, 0.0, root, kFrameName}, 1.0);
+  EXPECT_EQ(stage.status, StageStatus::failed);
+  EXPECT_THAT(stage.message, AllOf(HasSubstr("E-NUM-003"), HasSubstr("load 'culprit' has no finite value here")));
+  EXPECT_NEAR(stage.end_time, 0.15, 1e-9) << "kept up to where the formula ends";
+}
+
+TEST(StageFailure, AFormulaThatStartsBeyondItsRangeIsNamed) {
+  const Expression root{"sqrt(block.x - 1)", {}};
+  const StageRecord stage = run_block(VariableForce{{"block", "eye"}, root, 0.0, kFrameName}, 1.0);
+  EXPECT_EQ(stage.status, StageStatus::failed);
+  EXPECT_THAT(stage.message, AllOf(HasSubstr("E-NUM-001"), HasSubstr("load 'culprit' has no finite value here")));
+  EXPECT_EQ(stage.end_time, 0.0);
+}
+
+TEST(StageFailure, SpringsThatPullNothingWhereTheirPointsMeetPass) {
+  // k = 25 N/m without a free length is a plain oscillator, through zero and out on the other side.
+  const StageRecord stage = run_block(Spring{{kFrameName, "wall"}, {"block", "eye"}, 25.0, 0.0, 0.0}, 1.0);
+  EXPECT_EQ(stage.status, StageStatus::finished) << stage.message;
+  EXPECT_NEAR(find_values(stage, "block.x")->back(), 0.2 * std::cos(5.0) - 0.2 * std::sin(5.0), 1e-6);
+  EXPECT_EQ(run_block(Spring{{kFrameName, "wall"}, {"block", "eye"}, 0.0, 2.0, 0.3}, 1.0).status,
+            StageStatus::finished);
+}
+
 TEST(StageFailure, ContactStillOpenAtTheEndIsKept) {
   // Meets the wall after 0.1 s; the touch would last 0.02 s and more.
   const StageRecord stage = run(make_balls({{{0.2, 0.0}, {3.0, 0.0}}}, {}, 1e6), 0.105);

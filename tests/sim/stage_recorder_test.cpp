@@ -61,7 +61,7 @@ struct Recorded {
   std::vector<double> slope;
   std::vector<GapState> gaps;
   double initial_energy = 11.0;
-  std::array<double, kEnergyIntegrals> integrals{1.0, 0.2, 0.03, 0.004, 5.0};
+  std::array<double, kEnergyIntegrals> integrals{1.0, 0.5, 0.06, 0.2, 0.03, 0.004, 5.0};
 };
 
 double value(const StageRecord& stage, const std::string& channel) { return find_values(stage, channel)->at(0); }
@@ -181,10 +181,40 @@ TEST(StageRecorder, EnergiesAreThoseOfTheLedger) {
   EXPECT_EQ(value(stage, "energy.potential"), energies.potential);
   EXPECT_EQ(value(stage, "energy.elastic"), 0.0);
   EXPECT_EQ(value(stage, "energy.driver_work"), 1.0);
+  EXPECT_EQ(value(stage, "energy.load_work"), 0.5);
+  EXPECT_EQ(value(stage, "energy.damper_loss"), 0.06);
   EXPECT_EQ(value(stage, "energy.contact_damping"), 0.2);
   EXPECT_EQ(value(stage, "energy.friction"), 0.03);
-  // now − start − driver work + damping + friction − surface work
-  EXPECT_NEAR(value(stage, "energy.residual"), energies.total() - 11.0 - 1.0 + 0.2 + 0.03 - 0.004, 1e-14);
+  // now − start − driver work − load work + dampers + damping + friction − surface work
+  EXPECT_NEAR(value(stage, "energy.residual"), energies.total() - 11.0 - 1.0 - 0.5 + 0.06 + 0.2 + 0.03 - 0.004, 1e-14);
+}
+
+TEST(StageRecorder, LoadsShowWhatTheyDo) {
+  Mechanism mechanism = oracle::make_sprung_four_bar();
+  mechanism.loads.push_back({"mount", Bushing{{"crank", "b"}, {"rocker", "b"}, {9.0, 4.0}, {}, 2.0, 0.0, 0.1}});
+  mechanism.loads.push_back({"fan", VariableTorque{"rocker", "crank", Expression{"-2 * rocker.angle_rate", {}}}});
+  mechanism.loads.push_back({"left", VariableForce{{"coupler", "tool"}, 3.0, 4.0, "coupler"}});  // a joint's name
+  Recorded at(mechanism);
+  const auto poses = find_poses(mechanism, at.system.topology, at.equations.workspace.coordinates);
+  at.sample();
+  const StageRecord stage = at.finish();
+  const Vec2 tool = poses[2].find_point({0.21, 0.09});
+  EXPECT_NEAR(value(stage, "return.length"), norm(tool - Vec2{0.11, 0.42}), kRounding);
+  EXPECT_NEAR(value(stage, "strut.force"), 90.0 * (value(stage, "strut.length") - 0.3), 100.0 * kRounding);
+  EXPECT_EQ(value(stage, "torque.torque"), -0.7) << "a constant one";
+  EXPECT_EQ(value(stage, "force.y_force"), 4.7);
+  EXPECT_NEAR(value(stage, "mount.twist"), poses[3].angle - poses[1].angle, kRounding);
+  EXPECT_NEAR(value(stage, "mount.torque"), -2.0 * (value(stage, "mount.twist") - 0.1), kRounding);
+  EXPECT_NEAR(value(stage, "mount.force"),
+              std::hypot(9.0 * value(stage, "mount.x_offset"), 4.0 * value(stage, "mount.y_offset")), kRounding);
+  EXPECT_EQ(value(stage, "fan.torque"), -2.0 * value(stage, "rocker.angle_rate"));
+  EXPECT_NEAR(value(stage, "fan.power"),
+              value(stage, "fan.torque") * (value(stage, "rocker.angle_rate") - value(stage, "crank.angle_rate")),
+              1e-10);  // of some ten watts
+  EXPECT_NEAR(value(stage, "left.load.force"), 5.0, kRounding);
+  const Vec2 force = make_rotation(poses[2].angle) * Vec2{3.0, 4.0};
+  EXPECT_NEAR(value(stage, "left.load.x_force"), force.x, kRounding);
+  EXPECT_NE(value(stage, "left.force"), 5.0) << "the joint's";
 }
 
 TEST(StageRecorder, WatchedChannelsTakeTheirStatisticsFromSteps) {
