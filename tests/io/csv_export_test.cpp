@@ -74,6 +74,8 @@ TEST(CsvExport, EventsStatisticsAndEnergy) {
   const auto energy = split_lines(read_text_file(scratch / "ideal_energy.csv"));
   EXPECT_EQ(energy[0], "term,value [J]");
   EXPECT_EQ(energy[5], "driver_work,12");
+  EXPECT_EQ(energy[6], "load_work,-2.5");
+  EXPECT_EQ(energy[7], "damper_loss,1.75");
   EXPECT_EQ(energy.back(), "residual,0");
 }
 

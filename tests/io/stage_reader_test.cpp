@@ -95,6 +95,27 @@ TEST(StageReader, NamesTheFirstPieceThatIsMissing) {
   EXPECT_EQ(read_run(scratch / "x.h5").stages[0].cycles, 3);
 }
 
+TEST(StageReader, TakesFilesOfBeforeLoadsDidWork) {
+  const ScratchDirectory scratch;
+  test::write_image(scratch / "x.h5", [&](const Hdf5Handle& root) {
+    for (const Piece& piece : list_pieces()) {
+      if (std::string_view(piece.complaint) != "group 'energy' is missing") {
+        piece.write(root);
+        continue;
+      }
+      const Hdf5Handle energy = make_group(open_stage(root), "energy");
+      for (const auto& field : kEnergyReals) {
+        const std::string name = field.name;
+        if (name != "load_work" && name != "damper_loss") write_real_attribute(energy, field.name, 2.5);
+      }
+    }
+  });
+  const EnergyLedger ledger = read_run(scratch / "x.h5").stages[0].ledger;
+  EXPECT_EQ(ledger.driver_work, 2.5);
+  EXPECT_EQ(ledger.load_work, 0.0);
+  EXPECT_EQ(ledger.damper_loss, 0.0);
+}
+
 /// What reading says when the piece with that complaint is written otherwise.
 std::string read_misshapen(std::string_view complaint, const std::function<void(const Hdf5Handle& root)>& write) {
   const ScratchDirectory scratch;

@@ -39,6 +39,9 @@ TEST(RunSummary, HasEverySection) {
   EXPECT_THAT(text, ContainsRegex("wear_1 +A +6.000 µm +351° +330.0 nm +10.00 µm +351° .*342–18°"));
   EXPECT_THAT(text, ContainsRegex("no_wear +A +3 +30.0 % +70.0 % +99.2 % +0.8 % +100.0 N +2.000 kN"));
   EXPECT_THAT(text, ContainsRegex("no_wear +slider.x +200.0 µm"));
+  EXPECT_THAT(text, ContainsRegex("work of forces and torques +2.500 J"));
+  EXPECT_THAT(text, ContainsRegex("lost in dampers +1.750 J"));
+  EXPECT_THAT(text, Not(HasSubstr("work of worn surfaces"))) << "no stage has any";
   EXPECT_THAT(text, ContainsRegex("residual / exchanged +0.0e.00"));
   EXPECT_THAT(text, ContainsRegex("adds up +yes +yes +yes"));
   EXPECT_THAT(text, HasSubstr("What differs by nature"));
