@@ -62,7 +62,7 @@ class MotionEquations {
       slope[n_free_ + i] = workspace.equations[i];
     }
     double* power = slope + 2 * n_free_;
-    power[kDriverWork] = find_driver_power(*tables_, workspace);
+    power[kDriverWork] = find_driver_power(workspace);
     power[kLoadWork] = power[kDamperLoss] = 0.0;
     power[kContactDamping] = power[kFrictionLoss] = power[kSurfaceWork] = 0.0;
     for (const ContactForces& forces : workspace.contact_forces) {
