@@ -18,12 +18,11 @@ namespace gudgeon {
 
 namespace {
 
-// Weights of f(t ± k h), k = 1 … 4; the second derivative also has that of f(t).
+// Weights of f(t ± k h), k = 1 … 4. The second derivative is summed over differences to f(t), which are exact.
 constexpr std::array kFirst8{4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0};
 constexpr std::array kSecond8{8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0, -1.0 / 560.0};
-constexpr double kSecond8Middle = -205.0 / 72.0;
 constexpr std::array kSecond6{3.0 / 2.0, -3.0 / 20.0, 1.0 / 90.0, 0.0};
-constexpr double kSecond6Middle = -49.0 / 18.0;
+constexpr std::array kSecond4{4.0 / 3.0, -1.0 / 12.0, 0.0, 0.0};
 constexpr int kReach = 4;
 
 // What rounding of f and of its argument contributes to the second derivative, in units of ε (|f| + |t ḟ|) / h²: the
@@ -47,7 +46,7 @@ ExpressionEvaluator make_evaluator(const Expression& expression) {
 // How well differences with one step do over the cycle.
 struct StepQuality {
   double step = 0.0;
-  double truncation = 0.0;  // of the second derivative, estimated from above: that of the sixth order
+  double truncation = 0.0;  // of the second derivative
   double rounding = 0.0;
   double scale = 0.0;  // size of the second derivative, not less than the motion over the cycle time squared
 
@@ -67,20 +66,24 @@ StepQuality judge_step(ExpressionEvaluator& evaluator, double cycle_time, int ha
   double uncertain = 0.0;
   double fastest = 0.0;
   double most_curved = 0.0;
-  double difference = 0.0;
-  for (std::size_t i = kReach; i + kReach < values.size() && !std::isnan(difference); ++i) {
+  double apart_8_6 = 0.0;
+  double apart_6_4 = 0.0;
+  for (std::size_t i = kReach; i + kReach < values.size() && !std::isnan(apart_8_6); ++i) {
     double rate = 0.0;
-    double eighth = kSecond8Middle * values[i];
-    double sixth = kSecond6Middle * values[i];
+    double eighth = 0.0;
+    double sixth = 0.0;
+    double fourth = 0.0;
     for (std::size_t k = 0; k < kReach; ++k) {
-      const double sum = values[i + k + 1] + values[i - k - 1];
+      const double sum = (values[i + k + 1] - values[i]) + (values[i - k - 1] - values[i]);
       rate += kFirst8[k] * (values[i + k + 1] - values[i - k - 1]);
       eighth += kSecond8[k] * sum;
       sixth += kSecond6[k] * sum;
+      fourth += kSecond4[k] * sum;
     }
     // Written so that NaN stays.
     const double apart = std::abs(eighth - sixth);
-    if (!(apart <= difference)) difference = apart;
+    if (!(apart <= apart_8_6)) apart_8_6 = apart;
+    apart_6_4 = std::max(apart_6_4, std::abs(sixth - fourth));
     const double argument = std::abs(static_cast<double>(i) - kReach);
     uncertain = std::max(uncertain, std::abs(values[i]) + argument * std::abs(rate));
     largest = std::max(largest, std::abs(values[i]));
@@ -88,7 +91,8 @@ StepQuality judge_step(ExpressionEvaluator& evaluator, double cycle_time, int ha
     most_curved = std::max(most_curved, std::abs(eighth));
   }
   quality.step = h;
-  quality.truncation = difference / (h * h);
+  // What the eighth order lacks is to the sixth's error as that is to the fourth's.
+  quality.truncation = apart_8_6 / (h * h) * (apart_8_6 < apart_6_4 ? apart_8_6 / apart_6_4 : 1.0);
   quality.rounding = kRounding * std::numeric_limits<double>::epsilon() * uncertain / (h * h);
   quality.scale = most_curved / (h * h) + fastest / (h * cycle_time) + largest / (cycle_time * cycle_time);
   return quality;
@@ -102,7 +106,8 @@ StepQuality choose_step(ExpressionEvaluator& evaluator, double cycle_time) {
       if (!(finer.error() < best.error())) break;
       best = finer;
     }
-    return best;
+    // Where noise of the expression looks like truncation, coarser steps are better.
+    if (best.step != std::ldexp(cycle_time, -kFirstHalving)) return best;
   }
   for (int halvings = kFirstHalving - 1; halvings >= kCoarsestHalving; --halvings) {
     const StepQuality coarser = judge_step(evaluator, cycle_time, halvings);
@@ -149,14 +154,14 @@ DrivenValue MotionFunction::eval(double t) noexcept {
   if (evaluator == nullptr) return at;
   const double middle = evaluator->eval(&t);
   double first = 0.0;
-  double second = kSecond8Middle * middle;
+  double second = 0.0;
   for (int k = 0; k < kReach; ++k) {
     const double later = t + (k + 1) * difference_step_;
     const double earlier = t - (k + 1) * difference_step_;
     const double ahead = evaluator->eval(&later);
     const double behind = evaluator->eval(&earlier);
     first += kFirst8[k] * (ahead - behind);
-    second += kSecond8[k] * (ahead + behind);
+    second += kSecond8[k] * ((ahead - middle) + (behind - middle));
   }
   const double per_step = 1.0 / difference_step_;
   return {at.value + middle, at.rate + first * per_step, second * per_step * per_step};
