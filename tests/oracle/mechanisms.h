@@ -43,6 +43,24 @@ Mechanism make_two_slides();
 /// A block driven along a freely swinging arm, with a pendulum on the block; 2 degrees of freedom.
 Mechanism make_driven_slide();
 
+/// The slider-crank with a crank that swings to and fro by an expression; no freedom.
+Mechanism make_swung_slider_crank();
+/// Arm, hand welded to a bracket at an angle, and a tassel: a driver bends the hand against the arm, which swings
+/// freely or is driven by an expression.
+Mechanism make_driven_arm(bool shoulder_driven);
+/// A crank pin in the oblique slot of a yoke on an oblique guide; 1 degree of freedom.
+Mechanism make_scotch_yoke();
+/// The quick-return with the pin straight in the rocker's slot and a crank that does not turn uniformly.
+Mechanism make_quick_return();
+/// A rod that only two pins in slots hold, one of the slots its own; 1 degree of freedom.
+Mechanism make_trammel();
+/// The two slides and the pendulum all driven with acceleration, and a free tail on the pendulum.
+Mechanism make_moved_slides();
+/// The driven slide with a table for its motion.
+Mechanism make_splined_slide();
+/// A body without any joint, thrown.
+Mechanism make_projectile();
+
 /// A disc whose journal sits off its centre in a bearing of the frame, with friction; 3 degrees of freedom.
 Mechanism make_free_body_in_bearing();
 /// Two free bodies that meet only in one clearance joint; no joint leads to the frame and there is no gravity.

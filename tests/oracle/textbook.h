@@ -32,7 +32,8 @@ struct TextbookState {
   std::vector<TextbookContact> contacts;  ///< one a clearance joint in the order of the joints
 };
 
-/// Constraint rows of all joints in their order (2 a revolute or prismatic joint, 3 a rigid one), then of all drivers.
+/// Constraint rows of all joints in their order (2 a revolute or prismatic joint, 3 a rigid one, 1 a pin in a slot),
+/// then of all drivers.
 struct TextbookRows {
   Eigen::VectorXd residual;   ///< Φ(q, t)
   Eigen::VectorXd rate;       ///< Φ̇ = Φq q̇ + Φt

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/oracle/driver_motion.h"
 #include "tests/oracle/mechanisms.h"
 #include "tests/oracle/textbook_start.h"
 
@@ -154,7 +155,7 @@ TEST(TextbookContact, TakesThePowerOfItsForces) {
     double delivered = 0.0;
     double scale = 0.0;
     for (std::size_t i = 0; i < mechanism.drivers.size(); ++i) {
-      delivered += solution.efforts[i] * mechanism.drivers[i].speed;
+      delivered += solution.efforts[i] * eval_motion(mechanism.drivers[i], 0.0).rate;
     }
     for (const TextbookContactForce& contact : solution.contacts) {
       delivered += contact.friction_force * contact.slip_speed - contact.normal_force * contact.penetration_rate;

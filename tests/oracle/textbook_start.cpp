@@ -7,6 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "tests/oracle/driver_motion.h"
+
 namespace gudgeon::oracle {
 
 namespace {
@@ -15,7 +17,8 @@ namespace {
 std::optional<double> guess_angle(const Mechanism& mechanism, const Body& body) {
   for (const Driver& driver : mechanism.drivers) {
     const auto* target = std::get_if<DrivenAngle>(&driver.target);
-    if (target != nullptr && target->body == body.name) return driver.start;
+    const bool drives = target != nullptr && target->body == body.name && target->against == kFrameName;
+    if (drives) return eval_motion(driver, 0.0).value;
   }
   return body.start.angle;
 }
@@ -23,7 +26,7 @@ std::optional<double> guess_angle(const Mechanism& mechanism, const Body& body) 
 double guess_displacement(const Mechanism& mechanism, const Joint& joint) {
   for (const Driver& driver : mechanism.drivers) {
     const auto* target = std::get_if<DrivenSlide>(&driver.target);
-    if (target != nullptr && target->joint == joint.name) return driver.start;
+    if (target != nullptr && target->joint == joint.name) return eval_motion(driver, 0.0).value;
   }
   const auto* slide = std::get_if<Prismatic>(&joint.kind);
   return slide == nullptr ? 0.0 : slide->start_displacement.value_or(0.0);
@@ -35,6 +38,30 @@ std::optional<double> find_relative_angle(const AnyJoint& joint) {
   return std::nullopt;
 }
 
+struct RelativeAngle {
+  int first;
+  int second;
+  double angle;
+};
+
+/// Angles between bodies that joints and drivers ask for at the start.
+std::vector<RelativeAngle> find_relative_angles(const Mechanism& mechanism) {
+  std::vector<RelativeAngle> relatives;
+  for (const Joint& joint : mechanism.joints) {
+    const auto [first, second] = anchors(joint.kind);
+    if (const auto angle = find_relative_angle(joint.kind)) {
+      relatives.push_back({find_body(mechanism, first.body), find_body(mechanism, second.body), *angle});
+    }
+  }
+  for (const Driver& driver : mechanism.drivers) {
+    const auto* target = std::get_if<DrivenAngle>(&driver.target);
+    if (target == nullptr) continue;
+    relatives.push_back(
+        {find_body(mechanism, target->against), find_body(mechanism, target->body), eval_motion(driver, 0.0).value});
+  }
+  return relatives;
+}
+
 /// Every body's guessed angle; what has none takes it from the body it keeps a relative angle with, or is at zero.
 std::vector<double> guess_angles(const Mechanism& mechanism) {
   std::vector<std::optional<double>> angles;
@@ -42,15 +69,14 @@ std::vector<double> guess_angles(const Mechanism& mechanism) {
   angles[0] = 0.0;
   for (bool changed = true; changed;) {
     changed = false;
-    for (const Joint& joint : mechanism.joints) {
-      const std::optional<double> relative = find_relative_angle(joint.kind);
-      std::optional<double>& first = angles[find_body(mechanism, anchors(joint.kind).first.body)];
-      std::optional<double>& second = angles[find_body(mechanism, anchors(joint.kind).second.body)];
-      if (!relative || first.has_value() == second.has_value()) continue;
+    for (const RelativeAngle& relative : find_relative_angles(mechanism)) {
+      std::optional<double>& first = angles[relative.first];
+      std::optional<double>& second = angles[relative.second];
+      if (first.has_value() == second.has_value()) continue;
       if (first) {
-        second = *first + *relative;
+        second = *first + relative.angle;
       } else {
-        first = *second - *relative;
+        first = *second - relative.angle;
       }
       changed = true;
     }
@@ -162,7 +188,7 @@ void add_start_rates(const Textbook& textbook, const TextbookState& state, RateC
     const auto* slide = std::get_if<Prismatic>(&joint.kind);
     if (slide == nullptr || !slide->start_speed) continue;
     Mechanism driven = mechanism;
-    driven.drivers.assign(1, Driver{"start", DrivenSlide{joint.name}, 0.0, 0.0});
+    driven.drivers.assign(1, Driver{"start", DrivenSlide{joint.name}});
     const TextbookRows rows = Textbook(driven).eval_rows(state, 0.0);
     conditions.matrix.row(conditions.add_row(*slide->start_speed)) = rows.jacobian.bottomRows<1>();
   }

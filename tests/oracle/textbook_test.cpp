@@ -11,6 +11,7 @@
 #include <cmath>
 #include <random>
 
+#include "tests/oracle/driver_motion.h"
 #include "tests/oracle/mechanisms.h"
 #include "tests/oracle/textbook_start.h"
 
@@ -65,6 +66,7 @@ class Balance {
   void add_effort(const Driver& driver, double effort) {
     const Mechanism& mechanism = textbook_.mechanism();
     if (const auto* angle = std::get_if<DrivenAngle>(&driver.target)) {
+      add(find_body(mechanism, angle->against), {}, {}, -effort);
       return add(find_body(mechanism, angle->body), {}, {}, effort);
     }
     const int joint = find_joint(mechanism, std::get<DrivenSlide>(driver.target).joint);
@@ -187,7 +189,8 @@ TEST_P(EveryMechanism, GainsTheEnergyThatDriversAndLoadsDeliver) {
   double power = 0.0;
   const TextbookSolution solution = textbook.solve(start, 0.0);
   power += solution.loads.work_power - solution.loads.damper_power;
-  for (std::size_t i = 0; i < ideal.drivers.size(); ++i) power += solution.efforts[i] * ideal.drivers[i].speed;
+  for (std::size_t i = 0; i < ideal.drivers.size(); ++i)
+    power += solution.efforts[i] * eval_motion(ideal.drivers[i], 0.0).rate;
   // a fortieth of a millisecond: about 0.01 rad of the fastest driver
   constexpr double kStep = 2.5e-5;
   const double before = textbook.eval_energy(textbook.step_rk4(start, 0.0, -kStep)).total();

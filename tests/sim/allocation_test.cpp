@@ -138,6 +138,16 @@ TEST(LoopUnderLoads, AllocatesNothing) {
   }
 }
 
+TEST(LoopOfAcceleratingDrivers, AllocatesNothing) {
+  for (const Mechanism& mechanism : {oracle::make_quick_return(), oracle::make_moved_slides()}) {
+    const Assembly assembly = assemble(mechanism);
+    const System system = compile(mechanism, assembly);
+    const Outcome outcome = run_motion(system, assembly, Study{}, 0.5);
+    EXPECT_FALSE(outcome.failed);
+    EXPECT_EQ(outcome.n_allocations, 0U) << mechanism.name;
+  }
+}
+
 TEST(LoopOverSingularPositions, AllocatesNothing) {
   const Mechanism mechanism = oracle::make_n_four_bar(3);
   const Assembly assembly = assemble(mechanism);

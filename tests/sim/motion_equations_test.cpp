@@ -68,7 +68,7 @@ TEST(MotionEquations, SlopesAreRatesAccelerationsAndPowers) {
       EXPECT_EQ(at.slope[n + i], ws.equations[i]) << mechanism.name;
     }
     double driver = 0.0;
-    for (std::size_t d = 0; d < ws.effort.size(); ++d) driver += ws.effort[d] * at.system.tables.driven[d].speed;
+    for (std::size_t d = 0; d < ws.effort.size(); ++d) driver += ws.effort[d] * ws.coordinates.driven[d].rate;
     double damping = 0.0;
     double friction = 0.0;
     double surface = 0.0;

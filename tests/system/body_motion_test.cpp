@@ -101,7 +101,7 @@ void expect_energy_balance(const Mechanism& mechanism, bool worn, NormalDirectio
   constexpr double kStep = 1e-8;
   const double stored = (pressed.find_energy(kStep) - pressed.find_energy(-kStep)) / (2.0 * kStep);
   const double energy = pressed.find_energy(0.0);
-  double expected = find_driver_power(pressed.system.tables, pressed.workspace);
+  double expected = find_driver_power(pressed.workspace);
   double scale = std::abs(expected);
   for (const ContactForces& forces : pressed.workspace.contact_forces) {
     EXPECT_GT(forces.normal_force, 0.0) << mechanism.name;

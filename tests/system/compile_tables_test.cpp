@@ -49,7 +49,7 @@ TEST(CompileTables, NumbersEquationsWithoutGaps) {
     for (int turn = 0; turn < tables.counts.n_turns(); ++turn) indices.insert(tables.find_turn_index(turn));
     for (int slide = 0; slide < tables.counts.n_slides(); ++slide) indices.insert(tables.find_slide_index(slide));
     for (const ClosureRows& rows : tables.closures) {
-      for (int k = 0; k < (rows.is_line ? 1 : 2); ++k) indices.insert(rows.row[k]);
+      for (int k = 0; k < count_rows(rows.kind); ++k) indices.insert(rows.row[k]);
     }
     // The frame and the unit slide share the bin; everything else stands alone.
     EXPECT_EQ(indices.count(tables.bin_index()), 2u) << mechanism.name;

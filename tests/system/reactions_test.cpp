@@ -96,7 +96,7 @@ TEST(Reactions, BlockHeldOnAnInclineByItsDriver) {
   // About the shoe: weight at (0.05, 0.02) turned by 30°.
   const double arm = 0.05 * std::cos(incline) - 0.02 * std::sin(incline);
   EXPECT_NEAR(started.reaction("guide").moment, weight * arm, kTolerance);
-  EXPECT_NEAR(find_driver_power(started.system.tables, started.workspace), weight * 0.5 * 0.25, kTolerance);
+  EXPECT_NEAR(find_driver_power(started.workspace), weight * 0.5 * 0.25, kTolerance);
 }
 
 TEST(Reactions, WhirlingCrankIsHeldInward) {

@@ -32,7 +32,7 @@ void expect_counts(const Mechanism& mechanism, const Expected& expected) {
   EXPECT_EQ(topology.counts.n_free_slides, expected.free_slides) << mechanism.name;
   EXPECT_EQ(topology.counts.n_driven_slides, expected.driven_slides) << mechanism.name;
   int rows = 0;
-  for (const Closure& closure : topology.closures) rows += closure.is_line ? 1 : 2;
+  for (const Closure& closure : topology.closures) rows += count_rows(closure.kind);
   EXPECT_EQ(rows, expected.rows) << mechanism.name;
 }
 
@@ -75,7 +75,7 @@ TEST(Topology, NineBarHangsByShortestPaths) {
   EXPECT_EQ(topology.bodies[find_body(mechanism, "slider_9")].turn, topology.counts.frame_turn());
   ASSERT_EQ(topology.closures.size(), 1u);
   EXPECT_EQ(mechanism.joints[topology.closures[0].joint].name, "guide");
-  EXPECT_TRUE(topology.closures[0].is_line);
+  EXPECT_EQ(topology.closures[0].kind, ClosureKind::line);
   EXPECT_THAT(topology.loose, IsEmpty());
   ASSERT_EQ(topology.driven.size(), 2u);
   for (int d = 0; d < 2; ++d) {

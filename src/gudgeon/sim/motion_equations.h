@@ -62,7 +62,7 @@ class MotionEquations {
       slope[n_free_ + i] = workspace.equations[i];
     }
     double* power = slope + 2 * n_free_;
-    power[kDriverWork] = find_driver_power(*tables_, workspace);
+    power[kDriverWork] = find_driver_power(workspace);
     power[kLoadWork] = workspace.loads.work_power;
     power[kDamperLoss] = workspace.loads.damper_power;
     power[kContactDamping] = power[kFrictionLoss] = power[kSurfaceWork] = 0.0;

@@ -164,8 +164,8 @@ void StageRun::fail(const std::string& code, const std::string& reason) {
     const int closure = find_weakest_closure(system_.tables, motion_.equations().workspace);
     if (closure < 0) return;
     record_.message += fmt::format(
-        "; nearest to a singular position: the loop closed by joint '{}' - {}",
-        system_.mechanism.joints[system_.tables.closures[closure].joint].name,
+        "; nearest to a singular position: the loop closed by {} - {}",
+        name_closure(system_.mechanism, system_.topology, system_.topology.closures[closure]),
         system_.mechanism.drivers.empty() ? "its bars may be in line" : "a driver may ask for more than it can reach");
     return;
   }

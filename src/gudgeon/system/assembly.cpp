@@ -13,6 +13,7 @@
 #include "gudgeon/system/dynamics.h"
 #include "gudgeon/system/loose_start.h"
 #include "gudgeon/system/poses.h"
+#include "gudgeon/system/start_rates.h"
 
 namespace gudgeon {
 
@@ -37,12 +38,16 @@ class Assembler {
         q_(VectorXd::Zero(tables_.counts.n_free())),
         v_(VectorXd::Zero(tables_.counts.n_free())) {
     for (const ClosureTerm& term : tables_.closure_terms) size_ = std::max(size_, norm(term.vector));
+    for (const ClosureRows& rows : tables_.closures) {
+      if (rows.kind == ClosureKind::angle) size_ = std::max(size_, 1.0);
+    }
   }
 
   Assembly assemble() {
     const std::vector<double> guesses = make_guess();
     if (!close_loops()) throw_open_loop();
-    find_rates();
+    update();
+    v_ = find_start_rates(mechanism_, topology_, tables_, workspace_);
     Assembly assembly;
     update();
     assembly.poses = find_poses(mechanism_, topology_, workspace_.coordinates);
@@ -78,6 +83,7 @@ class Assembler {
       }
     }
     update();
+    guess_driven_angles(given);
     for (const auto& [body, slide] : topology_.loose) {
       const Body& description = mechanism_.bodies[body];
       const double angle = workspace_.coordinates.angle[topology_.bodies[body].turn] + topology_.bodies[body].offset;
@@ -91,6 +97,28 @@ class Assembler {
     for (const BodyNode& node : topology_.bodies)
       guesses.push_back(workspace_.coordinates.angle[node.turn] + node.offset);
     return guesses;
+  }
+
+  // Drivers between two moving bodies say where one of them is once the other is known.
+  void guess_driven_angles(std::vector<bool>& given) {
+    const CoordinateCounts& counts = tables_.counts;
+    const auto is_known = [&](int turn) { return turn >= counts.n_free_turns || given[turn]; };
+    // Bodies may hang on each other's angles; the last pass settles for one that nobody gave.
+    const std::size_t n_passes = tables_.closures.size() + 1;
+    for (std::size_t pass = 0; pass < n_passes; ++pass) {
+      for (const ClosureRows& rows : tables_.closures) {
+        if (rows.kind != ClosureKind::angle) continue;
+        const auto& [body, against] = rows.angle_turn;
+        if (pass + 1 == n_passes && !is_known(body) && !is_known(against)) given[against] = true;
+        if (is_known(body) == is_known(against)) continue;
+        const Coordinates& at = workspace_.coordinates;
+        const double asked = at.driven[rows.driver].value;
+        const int guessed = is_known(body) ? against : body;
+        q_(guessed) = is_known(body) ? at.angle[body] - asked : at.angle[against] + asked;
+        given[guessed] = true;
+        update();
+      }
+    }
   }
 
   // Each step is the least change of the coordinates that closes the linearised loops, shortened so that no body turns
@@ -135,6 +163,10 @@ class Assembler {
     for (std::size_t c = 0; c < tables_.closures.size(); ++c) {
       const double gap = norm(workspace_.closure_gap[c]);
       if (gap <= least) continue;
+      if (tables_.closures[c].kind == ClosureKind::angle) {
+        add_missed_angle(tables_.closures[c], gap, diagnostics);
+        continue;
+      }
       const Joint& joint = mechanism_.joints[tables_.closures[c].joint];
       const auto [first, second] = anchors(joint.kind);
       diagnostics.error("E-MODEL-070", "joints." + joint.name,
@@ -145,78 +177,13 @@ class Assembler {
     throw ModelError(diagnostics);
   }
 
-  // The smallest rates that keep the loops closed and have every given start rate.
-  void find_rates() {
-    const CoordinateCounts& counts = tables_.counts;
-    update();
-    std::vector<Eigen::RowVectorXd> rows;
-    std::vector<double> demands;
-    std::vector<std::string> origins;
-    const auto demand = [&](Index column, double rate, const std::string& path) {
-      rows.push_back(Eigen::RowVectorXd::Unit(v_.size(), column));
-      demands.push_back(rate);
-      origins.push_back(path);
-    };
-    for (std::size_t b = 1; b < mechanism_.bodies.size(); ++b) {
-      const Body& body = mechanism_.bodies[b];
-      const BodyNode& node = topology_.bodies[b];
-      if (body.start.angle_rate && node.turn < counts.n_free_turns) {
-        demand(node.turn, *body.start.angle_rate, "bodies." + body.name + ".start.angle_rate");
-      }
-    }
-    for (int s = 0; s < counts.n_free_slides; ++s) {
-      const int joint = topology_.free_slide_joint[s];
-      if (joint < 0) continue;
-      const auto& speed = std::get<Prismatic>(mechanism_.joints[joint].kind).start_speed;
-      if (speed) demand(counts.n_free_turns + s, *speed, "joints." + mechanism_.joints[joint].name + ".start.speed");
-    }
-    for (const auto& [body, slide] : topology_.loose) {
-      const Body& description = mechanism_.bodies[body];
-      if (!description.start.velocity) continue;
-      const Vec2 arm =
-          make_rotation(workspace_.coordinates.angle[topology_.bodies[body].turn] + topology_.bodies[body].offset) *
-          description.center_of_mass;
-      // A driven body's rate is its driver's; a free one's is zero so far.
-      const double rate = workspace_.coordinates.angle_rate[topology_.bodies[body].turn];
-      const Vec2 turning = description.start.angle_rate.value_or(rate) * perp(arm);
-      demand(counts.n_free_turns + slide, description.start.velocity->x + turning.x, "bodies." + description.name);
-      demand(counts.n_free_turns + slide + 1, description.start.velocity->y + turning.y, "bodies." + description.name);
-    }
-
-    const MatrixXd jacobian = find_closure_jacobian(tables_, workspace_);
-    MatrixXd matrix(jacobian.rows() + static_cast<Index>(rows.size()), jacobian.cols());
-    VectorXd right(matrix.rows());
-    if (matrix.rows() == 0) return;
-    // With v = 0 the closure rates are what the drivers ask for.
-    matrix.topRows(jacobian.rows()) = jacobian;
-    right.head(jacobian.rows()) = -find_closure_rates(workspace_);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      matrix.row(jacobian.rows() + static_cast<Index>(k)) = rows[k];
-      right(jacobian.rows() + static_cast<Index>(k)) = demands[k];
-    }
-    Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
-    solver.setThreshold(kRankThreshold);
-    solver.compute(matrix);
-    v_ = solver.solve(right);
-    const VectorXd rest = matrix * v_ - right;
-    const double scale = right.cwiseAbs().maxCoeff();
-    if (rest.cwiseAbs().maxCoeff() > 1e-9 * scale)
-      throw_rate_conflict(rest.tail(static_cast<Index>(rows.size())), origins);
-  }
-
-  [[noreturn]] void throw_rate_conflict(const VectorXd& rest, const std::vector<std::string>& origins) {
-    Diagnostics diagnostics;
-    for (std::size_t k = 0; k < origins.size(); ++k) {
-      diagnostics.error(
-          "E-MODEL-071", origins[k],
-          fmt::format("start rates conflict: '{}' is missed by {:.3g} (SI)", origins[k], rest(static_cast<Index>(k))),
-          {"give as many start rates as the mechanism has degrees of freedom, no more"});
-    }
-    if (origins.empty()) {
-      diagnostics.error("E-MODEL-072", "", "the drivers ask for speeds that the joints do not permit here",
-                        {"the start position is singular or the drivers contradict each other"});
-    }
-    throw ModelError(diagnostics);
+  void add_missed_angle(const ClosureRows& rows, double gap, Diagnostics& diagnostics) const {
+    const Driver& driver = mechanism_.drivers[tables_.driven[rows.driver].driver];
+    const auto& angle = std::get<DrivenAngle>(driver.target);
+    diagnostics.error("E-MODEL-070", "drivers." + driver.name,
+                      fmt::format("driver '{}' cannot be followed: the angle of '{}' against '{}' stays {:.6g} deg off",
+                                  driver.name, angle.body, angle.against, gap * 180.0 / std::numbers::pi),
+                      {"check its start, lengths and pivots, or remove a driver that contradicts it"});
   }
 
   // The two links that meet where a loop closes run from the nearest joints inboard that lie elsewhere; on a guide the
@@ -224,19 +191,21 @@ class Assembler {
   std::vector<LoopBranch> find_branches(const std::vector<BodyPose>& poses) const {
     std::vector<LoopBranch> branches;
     for (const Closure& closure : topology_.closures) {
+      if (closure.kind == ClosureKind::angle) continue;
       const Joint& joint = mechanism_.joints[closure.joint];
       const auto [first, second] = anchors(joint.kind);
       const int a = find_body(mechanism_, first.body);
       const Vec2 at = find_world_point(second, poses);
       Vec2 first_link = find_link(a, at, poses);
-      if (closure.is_line) {
-        const Rotation along = make_rotation(poses[a].angle + std::get<Prismatic>(joint.kind).direction);
+      const bool is_line = closure.kind == ClosureKind::line;
+      if (is_line) {
+        const Rotation along = make_rotation(poses[a].angle + find_line_direction(joint.kind));
         first_link = {along.c, along.s};
       }
       const Vec2 second_link = find_link(find_body(mechanism_, second.body), at, poses);
       const double lengths = norm(first_link) * norm(second_link);
       const double sine = lengths > 0.0 ? cross(first_link, second_link) / lengths : 0.0;
-      branches.push_back({joint.name, first.body, second.body, closure.is_line ? sine : -sine});
+      branches.push_back({joint.name, first.body, second.body, is_line ? sine : -sine});
     }
     return branches;
   }

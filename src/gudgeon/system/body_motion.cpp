@@ -27,6 +27,12 @@ const std::vector<BodyMotion>& BodyMotionFinder::update(const Workspace& workspa
   for (int k = 0; k < counts.n_free_slides; ++k) {
     slide_accelerations_[k] = workspace.equations[counts.n_free_turns + k];
   }
+  const std::vector<DrivenValue>& driven = workspace.coordinates.driven;
+  for (int k = 0; k < counts.n_driven_turns; ++k)
+    angle_accelerations_[counts.n_free_turns + k] = driven[k].acceleration;
+  for (int k = 0; k < counts.n_driven_slides; ++k) {
+    slide_accelerations_[counts.n_free_slides + k] = driven[counts.n_driven_turns + k].acceleration;
+  }
   chain_.find_motions(workspace.coordinates, points_.data());
   chain_.find_accelerations(workspace.coordinates, angle_accelerations_.data(), slide_accelerations_.data(),
                             accelerations_.data());

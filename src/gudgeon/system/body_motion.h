@@ -36,7 +36,7 @@ class BodyMotionFinder {
   std::vector<int> rows_;  // of each body's centre of mass
   std::vector<PointChain::PointMotion> points_;
   std::vector<Vec2> accelerations_;
-  std::vector<double> angle_accelerations_;  // one a turn; driven and frame stay zero
+  std::vector<double> angle_accelerations_;  // one a turn; the frame's stays zero
   std::vector<double> slide_accelerations_;
   std::vector<BodyMotion> motions_;
 };

@@ -15,8 +15,13 @@ Eigen::MatrixXd find_closure_jacobian(const Tables& tables, const Workspace& wor
     const ClosureRows& rows = tables.closures[c];
     const auto row = static_cast<Eigen::Index>(2 * c);
     const Vec2 normal = at.rotation[rows.line_turn] * rows.normal;
+    if (rows.kind == ClosureKind::angle) {
+      for (int k = 0; k < 2; ++k) {
+        if (rows.angle_turn[k] < counts.n_free_turns) jacobian(row, rows.angle_turn[k]) += k == 0 ? 1.0 : -1.0;
+      }
+    }
     const auto add = [&](int column, Vec2 direction) {
-      if (rows.is_line) {
+      if (rows.kind == ClosureKind::line) {
         jacobian(row, column) += dot(normal, direction);
       } else {
         jacobian(row, column) += direction.x;
@@ -31,7 +36,9 @@ Eigen::MatrixXd find_closure_jacobian(const Tables& tables, const Workspace& wor
       if (term.turn < counts.n_free_turns) add(term.turn, at.slide[term.slide] * perp(arm));
       if (term.slide < counts.n_free_slides) add(counts.n_free_turns + term.slide, arm);
     }
-    if (rows.is_line && rows.line_turn < counts.n_free_turns) jacobian(row, rows.line_turn) += cross(normal, gap);
+    if (rows.kind == ClosureKind::line && rows.line_turn < counts.n_free_turns) {
+      jacobian(row, rows.line_turn) += cross(normal, gap);
+    }
   }
   return jacobian;
 }
@@ -59,7 +66,7 @@ RowRank find_row_rank(const Tables& tables, const Eigen::MatrixXd& jacobian) {
   Eigen::MatrixXd basis(jacobian.cols(), 0);
   for (std::size_t c = 0; c < tables.closures.size(); ++c) {
     result.active.push_back({false, false});
-    for (int k = 0; k < (tables.closures[c].is_line ? 1 : 2); ++k) {
+    for (int k = 0; k < count_rows(tables.closures[c].kind); ++k) {
       Eigen::VectorXd rest = jacobian.row(static_cast<Eigen::Index>(2 * c) + k).transpose();
       // Twice is enough to be orthogonal to rounding.
       for (int pass = 0; pass < 2; ++pass) rest -= basis * (basis.transpose() * rest);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "gudgeon/system/compile_closures.h"
 #include "gudgeon/system/compile_loads.h"
 #include "gudgeon/system/kinetic_terms.h"
 #include "gudgeon/system/tables.h"
@@ -29,9 +30,11 @@ class TableCompiler {
       : mechanism_(mechanism), topology_(topology), kinetic_(sum_kinetic_terms(mechanism, topology)) {
     tables_.counts = topology.counts;
     tables_.driven = topology.driven;
+    choose_difference_steps(mechanism, tables_.driven);
+    tables_.drivers_accelerate = !std::ranges::all_of(tables_.driven, &DrivenMotion::is_uniform);
     for (std::size_t c = 0; c < topology.closures.size(); ++c) {
       active_.push_back(active_rows != nullptr ? (*active_rows)[c]
-                                               : std::array<bool, 2>{true, !topology.closures[c].is_line});
+                                               : std::array<bool, 2>{true, count_rows(topology.closures[c].kind) == 2});
       tables_.n_rows += active_.back()[0] + active_.back()[1];
     }
     tables_.n_solve = topology.counts.n_free() + tables_.n_rows;
@@ -39,7 +42,7 @@ class TableCompiler {
   }
 
   Tables compile() {
-    collect_closures();
+    compile_closures(mechanism_, topology_, active_, tables_);
     collect_pattern();
     number_slots();
     fill_kinetic_tables();
@@ -51,65 +54,6 @@ class TableCompiler {
   }
 
  private:
-  void collect_closures() {
-    int row = topology_.counts.n_free();
-    for (std::size_t c = 0; c < topology_.closures.size(); ++c) {
-      const Closure& closure = topology_.closures[c];
-      const AnyJoint& kind = mechanism_.joints[closure.joint].kind;
-      ClosureRows rows{};
-      rows.joint = closure.joint;
-      rows.is_line = closure.is_line;
-      for (int k = 0; k < 2; ++k) {
-        rows.active[k] = active_[c][k];
-        rows.row[k] = rows.active[k] ? row++ : tables_.bin_index();
-      }
-      rows.line_turn = topology_.counts.frame_turn();
-      rows.first_term = static_cast<int>(tables_.closure_terms.size());
-      for (const auto& [key, vector] : merge_terms(find_loop(closure.joint))) {
-        tables_.closure_terms.push_back({key.turn, key.slide, vector, {}, {}});
-      }
-      rows.end_term = static_cast<int>(tables_.closure_terms.size());
-      if (closure.is_line) {
-        const auto& prismatic = std::get<Prismatic>(kind);
-        const BodyNode& first = topology_.bodies[find_body(mechanism_, prismatic.first.body)];
-        const Rotation along = make_rotation(first.offset + prismatic.direction);
-        rows.line_turn = first.turn;
-        rows.normal = {-along.s, along.c};
-      }
-      tables_.closures.push_back(rows);
-    }
-  }
-
-  // Second point minus first, and minus the driven displacement of a driven prismatic joint.
-  Path find_loop(int joint) const {
-    const AnyJoint& kind = mechanism_.joints[joint].kind;
-    const auto [first, second] = anchors(kind);
-    Path loop = find_anchor_path(second);
-    const int first_body = find_body(mechanism_, first.body);
-    for (Term term : find_anchor_path(first)) {
-      term.vector = -term.vector;
-      loop.push_back(term);
-    }
-    if (topology_.joint_slide[joint] >= 0) {
-      const BodyNode& node = topology_.bodies[first_body];
-      const Rotation along = make_rotation(node.offset + std::get<Prismatic>(kind).direction);
-      loop.push_back({node.turn, topology_.joint_slide[joint], {-along.c, -along.s}});
-    }
-    // Terms that both paths share cancel to nothing.
-    const double length = find_path_length(loop);
-    Path remaining;
-    for (const auto& [key, vector] : merge_terms(loop)) {
-      if (norm(vector) > 1e-15 * length) remaining.push_back({key.turn, key.slide, vector});
-    }
-    return remaining;
-  }
-
-  static double find_path_length(const Path& path) {
-    double length = 0.0;
-    for (const Term& term : path) length += norm(term.vector);
-    return length;
-  }
-
   Path find_anchor_path(const Anchor& anchor) const {
     const int body = find_body(mechanism_, anchor.body);
     return topology_.find_path(body, find_point(mechanism_.bodies[body], anchor.point)->position);
@@ -130,8 +74,10 @@ class TableCompiler {
           add_to_pattern(rows.row[k], tables_.find_turn_index(tables_.closure_terms[t].turn));
           add_to_pattern(rows.row[k], tables_.find_slide_index(tables_.closure_terms[t].slide));
         }
-        if (rows.is_line) add_to_pattern(rows.row[k], tables_.find_turn_index(rows.line_turn));
+        if (rows.kind == ClosureKind::line) add_to_pattern(rows.row[k], tables_.find_turn_index(rows.line_turn));
       }
+      if (rows.kind != ClosureKind::angle) continue;
+      for (const int turn : rows.angle_turn) add_to_pattern(rows.row[0], tables_.find_turn_index(turn));
     }
   }
 
@@ -148,10 +94,14 @@ class TableCompiler {
     tables_.elimination = Elimination(tables_.n_solve, tables_.n_rows, solve_pattern);
     int slot = tables_.elimination.n_values();
     for (const auto& [high, low] : pattern_) {
-      // Two driven coordinates do not couple: neither accelerates.
-      if (high < tables_.n_solve || low >= tables_.n_solve) continue;
-      tables_.couplings.push_back({high, low, slot++});
-      coupling_slot_[{high, low}] = tables_.couplings.back().slot;
+      if (high < tables_.n_solve || (low >= tables_.n_solve && !tables_.drivers_accelerate)) continue;
+      (low < tables_.n_solve ? tables_.couplings : tables_.driven_couplings).push_back({high, low, slot});
+      coupling_slot_[{high, low}] = slot++;
+    }
+    for (int k = 0; tables_.drivers_accelerate && k < tables_.counts.n_driven(); ++k) {
+      const int driven = tables_.n_solve + k;
+      tables_.driven_couplings.push_back({driven, driven, slot});
+      coupling_slot_[{driven, driven}] = slot++;
     }
     tables_.n_slots = slot + 1;
   }
@@ -168,8 +118,9 @@ class TableCompiler {
   void fill_kinetic_tables() {
     const CoordinateCounts& counts = topology_.counts;
     tables_.constant_values.assign(tables_.n_slots, 0.0);
-    for (int turn = 0; turn < counts.n_free_turns; ++turn) {
-      tables_.constant_values[find_slot(turn, turn)] += kinetic_.turn_inertia[turn];
+    for (int turn = 0; turn < counts.frame_turn(); ++turn) {
+      const int index = tables_.find_turn_index(turn);
+      tables_.constant_values[find_slot(index, index)] += kinetic_.turn_inertia[turn];
     }
     for (const auto& [keys, products] : kinetic_.pairs) {
       if (keys[0].slide == counts.unit_slide() && keys[1].slide == counts.unit_slide()) {
@@ -194,7 +145,7 @@ class TableCompiler {
     const int index_i = tables_.find_turn_index(i);
     const int index_j = tables_.find_turn_index(j);
     if (i == j) {
-      if (i < topology_.counts.n_free_turns) tables_.constant_values[find_slot(i, i)] += products.dot;
+      tables_.constant_values[find_slot(index_i, index_i)] += products.dot;
       return;
     }
     tables_.turn_pairs.push_back({i, j, products.dot, products.cross, find_slot(index_i, index_j), index_i, index_j});
@@ -220,6 +171,9 @@ class TableCompiler {
         }
       }
       rows.slot_normal = find_slot(rows.row[0], tables_.find_turn_index(rows.line_turn));
+      if (rows.kind != ClosureKind::angle) continue;
+      tables_.constant_values[find_slot(rows.row[0], tables_.find_turn_index(rows.angle_turn[0]))] += 1.0;
+      tables_.constant_values[find_slot(rows.row[0], tables_.find_turn_index(rows.angle_turn[1]))] -= 1.0;
     }
   }
 
@@ -270,7 +224,7 @@ class TableCompiler {
   const Topology& topology_;
   KineticTerms kinetic_;
   Tables tables_;
-  std::vector<std::array<bool, 2>> active_;
+  ActiveRows active_;
   std::set<std::pair<int, int>> pattern_;  // (higher index, lower index)
   std::map<std::pair<int, int>, int> coupling_slot_;
 };

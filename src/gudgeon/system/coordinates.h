@@ -7,24 +7,30 @@
 #include <vector>
 
 #include "gudgeon/base/vec2.h"
+#include "gudgeon/system/motion_function.h"
 #include "gudgeon/system/topology.h"
 
 namespace gudgeon {
 
-/// Angles, their cosines and sines, displacements, and the rates of all: free, driven, and the constant last one.
+/// Angles, their cosines and sines, displacements, and the rates of all: free, driven, and the constant last one. Owns
+/// the functions that its drivers' motions are evaluated with.
 struct Coordinates {
-  explicit Coordinates(const CoordinateCounts& counts)
+  explicit Coordinates(const CoordinateCounts& counts, const std::vector<DrivenMotion>& motions = {})
       : angle(counts.n_turns(), 0.0),
         rotation(counts.n_turns()),
         angle_rate(counts.n_turns(), 0.0),
         slide(counts.n_slides(), 1.0),
-        slide_rate(counts.n_slides(), 0.0) {}
+        slide_rate(counts.n_slides(), 0.0),
+        driven(motions.size()),
+        functions(motions.begin(), motions.end()) {}
 
-  std::vector<double> angle;       ///< θ [rad], one a turn
-  std::vector<Rotation> rotation;  ///< of θ
-  std::vector<double> angle_rate;  ///< θ̇ [rad/s]
-  std::vector<double> slide;       ///< c [m], one a slide; the unit slide is 1
-  std::vector<double> slide_rate;  ///< ċ [m/s]
+  std::vector<double> angle;              ///< θ [rad], one a turn
+  std::vector<Rotation> rotation;         ///< of θ
+  std::vector<double> angle_rate;         ///< θ̇ [rad/s]
+  std::vector<double> slide;              ///< c [m], one a slide; the unit slide is 1
+  std::vector<double> slide_rate;         ///< ċ [m/s]
+  std::vector<DrivenValue> driven;        ///< what the drivers ask for, one a motion of the tables
+  std::vector<MotionFunction> functions;  ///< one a motion
 };
 
 }  // namespace gudgeon

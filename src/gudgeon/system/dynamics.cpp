@@ -23,16 +23,19 @@ void update_coordinates(const Tables& tables, double t, const double* q, const d
     coordinates.slide[k] = q[n_free_turns + k];
     coordinates.slide_rate[k] = v[n_free_turns + k];
   }
-  for (int k = 0; k < counts.n_driven(); ++k) {
-    const DrivenMotion& motion = tables.driven[k];
-    const double value = motion.start + motion.speed * t;
-    if (k < counts.n_driven_turns) {
-      coordinates.angle[n_free_turns + k] = value;
-      coordinates.angle_rate[n_free_turns + k] = motion.speed;
-    } else {
-      coordinates.slide[counts.n_free_slides + k - counts.n_driven_turns] = value;
-      coordinates.slide_rate[counts.n_free_slides + k - counts.n_driven_turns] = motion.speed;
-    }
+  for (std::size_t d = 0; d < tables.driven.size(); ++d) {
+    const DrivenMotion& motion = tables.driven[d];
+    coordinates.driven[d] = motion.is_uniform() ? DrivenValue{motion.start + motion.speed * t, motion.speed, 0.0}
+                                                : coordinates.functions[d].eval(t);
+  }
+  for (int k = 0; k < counts.n_driven_turns; ++k) {
+    coordinates.angle[n_free_turns + k] = coordinates.driven[k].value;
+    coordinates.angle_rate[n_free_turns + k] = coordinates.driven[k].rate;
+  }
+  for (int k = 0; k < counts.n_driven_slides; ++k) {
+    const DrivenValue& driven = coordinates.driven[counts.n_driven_turns + k];
+    coordinates.slide[counts.n_free_slides + k] = driven.value;
+    coordinates.slide_rate[counts.n_free_slides + k] = driven.rate;
   }
   for (int k = 0; k < n_free_turns + counts.n_driven_turns; ++k) {
     coordinates.rotation[k] = make_rotation(coordinates.angle[k]);
@@ -75,9 +78,14 @@ void refine(const Tables& tables, double t, std::span<const ContactLatch> latche
   std::copy_n(ws.factors.begin(), tables.elimination.n_values(), ws.values.begin());
 }
 
-// A driver delivers what its own equation lacks once everything else is known.
+// A driver delivers what its own equation lacks once everything else is known; one between two moving bodies is a
+// closure, and its torque is the multiplier λ.
 void find_efforts(const Tables& tables, Workspace& ws) noexcept {
-  for (std::size_t d = 0; d < ws.effort.size(); ++d) ws.effort[d] = -ws.equations[tables.n_solve + d];
+  const int n_driven = tables.counts.n_driven();
+  for (int d = 0; d < n_driven; ++d) ws.effort[d] = -ws.equations[tables.n_solve + d];
+  for (const ClosureRows& rows : tables.closures) {
+    if (rows.kind == ClosureKind::angle) ws.effort[rows.driver] = rows.active[0] ? -ws.equations[rows.row[0]] : 0.0;
+  }
   for (const Coupling& coupling : tables.couplings) {
     ws.effort[coupling.driven - tables.n_solve] += ws.values[coupling.slot] * ws.equations[coupling.other];
   }
@@ -103,7 +111,7 @@ void find_correction(const Tables& tables, std::span<const Vec2> residual, Works
   for (std::size_t c = 0; c < tables.closures.size(); ++c) {
     const ClosureRows& rows = tables.closures[c];
     workspace.equations[rows.row[0]] = -residual[c].x;
-    if (!rows.is_line) workspace.equations[rows.row[1]] = -residual[c].y;
+    if (rows.kind == ClosureKind::point) workspace.equations[rows.row[1]] = -residual[c].y;
   }
   tables.elimination.solve(workspace.values.data(), workspace.inverse_pivots.data(), workspace.equations.data());
   std::copy_n(workspace.equations.begin(), tables.counts.n_free(), correction);
@@ -131,9 +139,10 @@ int find_weakest_closure(const Tables& tables, const Workspace& workspace) noexc
   return weakest;
 }
 
-double find_driver_power(const Tables& tables, const Workspace& workspace) noexcept {
+double find_driver_power(const Workspace& workspace) noexcept {
   double power = 0.0;
-  for (std::size_t d = 0; d < workspace.effort.size(); ++d) power += workspace.effort[d] * tables.driven[d].speed;
+  for (std::size_t d = 0; d < workspace.effort.size(); ++d)
+    power += workspace.effort[d] * workspace.coordinates.driven[d].rate;
   return power;
 }
 

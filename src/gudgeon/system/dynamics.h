@@ -16,7 +16,8 @@ struct Feedback {
   double beta = 0.0;
 };
 
-/// Angles, slides and their rates from free coordinates q, their rates v, and the drivers at time t.
+/// Angles, slides and their rates from free coordinates q, their rates v, and the drivers at time t. The coordinates
+/// were made with the tables' driven motions.
 void update_coordinates(const Tables& tables, double t, const double* q, const double* v,
                         Coordinates& coordinates) noexcept;
 
@@ -47,7 +48,7 @@ double find_singular_closeness(const Tables& tables, const Workspace& workspace)
 int find_weakest_closure(const Tables& tables, const Workspace& workspace) noexcept;
 
 /// Power [W] that the drivers deliver, from the last evaluation.
-double find_driver_power(const Tables& tables, const Workspace& workspace) noexcept;
+double find_driver_power(const Workspace& workspace) noexcept;
 /// Power [W] that gravity and constant loads deliver at the coordinates.
 double find_load_power(const Tables& tables, const Coordinates& coordinates) noexcept;
 

@@ -164,20 +164,47 @@ void add_line_closure(const Tables& tables, const ClosureRows& rows, LoopMotion&
   loop = {{dot(normal, loop.gap), 0.0}, {dot(normal, loop.rate) + turning * cross(normal, loop.gap), 0.0}, {bias, 0.0}};
 }
 
+// Gap and rate of an angle against what its driver asks for; its Jacobian is constant.
+void add_angle_closure(const ClosureRows& rows, const Coordinates& at, LoopMotion& loop) noexcept {
+  const DrivenValue& asked = at.driven[rows.driver];
+  loop.gap.x = at.angle[rows.angle_turn[0]] - at.angle[rows.angle_turn[1]] - asked.value;
+  loop.rate.x = at.angle_rate[rows.angle_turn[0]] - at.angle_rate[rows.angle_turn[1]] - asked.rate;
+  loop.bias.x = -asked.acceleration;
+}
+
 void add_closures(const Tables& tables, Feedback feedback, Workspace& ws) noexcept {
   for (std::size_t c = 0; c < tables.closures.size(); ++c) {
     const ClosureRows& rows = tables.closures[c];
     LoopMotion loop;
-    if (rows.is_line) {
-      add_line_closure(tables, rows, loop, ws);
-    } else {
-      add_point_closure(tables, rows, loop, ws);
+    switch (rows.kind) {
+      case ClosureKind::point:
+        add_point_closure(tables, rows, loop, ws);
+        break;
+      case ClosureKind::line:
+        add_line_closure(tables, rows, loop, ws);
+        break;
+      case ClosureKind::angle:
+        add_angle_closure(rows, ws.coordinates, loop);
+        break;
     }
     const Vec2 demand = -(loop.bias + 2.0 * feedback.alpha * loop.rate + feedback.beta * feedback.beta * loop.gap);
     ws.equations[rows.row[0]] = demand.x;
-    if (!rows.is_line) ws.equations[rows.row[1]] = demand.y;
+    if (rows.kind == ClosureKind::point) ws.equations[rows.row[1]] = demand.y;
     ws.closure_gap[c] = loop.gap;
     ws.closure_rate[c] = loop.rate;
+  }
+}
+
+// Known accelerations stand on the right-hand side of the unknowns, the rows and the driven coordinates' own equations.
+void subtract_driven_accelerations(const Tables& tables, Workspace& ws) noexcept {
+  const auto acceleration = [&](int index) { return ws.coordinates.driven[index - tables.n_solve].acceleration; };
+  for (const Coupling& coupling : tables.couplings) {
+    ws.equations[coupling.other] -= ws.values[coupling.slot] * acceleration(coupling.driven);
+  }
+  for (const Coupling& coupling : tables.driven_couplings) {
+    ws.equations[coupling.other] -= ws.values[coupling.slot] * acceleration(coupling.driven);
+    if (coupling.other == coupling.driven) continue;
+    ws.equations[coupling.driven] -= ws.values[coupling.slot] * acceleration(coupling.other);
   }
 }
 
@@ -192,6 +219,7 @@ void assemble_equations(const Tables& tables, double t, std::span<const ContactL
   add_constant_loads(tables, workspace);
   add_forces_at_points(tables, t, latches, workspace);
   add_closures(tables, feedback, workspace);
+  if (tables.drivers_accelerate) subtract_driven_accelerations(tables, workspace);
 }
 
 void update_closures(const Tables& tables, Workspace& workspace) noexcept {
@@ -199,11 +227,12 @@ void update_closures(const Tables& tables, Workspace& workspace) noexcept {
   for (std::size_t c = 0; c < tables.closures.size(); ++c) {
     const ClosureRows& rows = tables.closures[c];
     LoopMotion loop;
+    if (rows.kind == ClosureKind::angle) add_angle_closure(rows, at, loop);
     for (int t = rows.first_term; t < rows.end_term; ++t) {
       const ClosureTerm& term = tables.closure_terms[t];
       add_term(loop, at, term, at.rotation[term.turn] * term.vector);
     }
-    if (rows.is_line) {
+    if (rows.kind == ClosureKind::line) {
       const Vec2 normal = at.rotation[rows.line_turn] * rows.normal;
       loop.rate = {dot(normal, loop.rate) + at.angle_rate[rows.line_turn] * cross(normal, loop.gap), 0.0};
       loop.gap = {dot(normal, loop.gap), 0.0};

@@ -6,24 +6,51 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/system/topology.h"
 
 namespace gudgeon {
 
+namespace {
+
+// Which bodies move along when one is shifted: those of its tree, and trees that a pin in a slot ties to it. One entry
+// a body; a cluster has the number of one of its bodies, the frame's has 0.
+std::vector<int> find_clusters(const Mechanism& mechanism, const Topology& topology) {
+  std::vector<int> cluster(mechanism.bodies.size());
+  for (std::size_t b = 0; b < cluster.size(); ++b) {
+    int root = static_cast<int>(b);
+    while (topology.bodies[root].parent >= 0) root = topology.bodies[root].parent;
+    cluster[b] = root;
+  }
+  for (const Closure& closure : topology.closures) {
+    if (closure.joint < 0) continue;
+    const auto [first, second] = anchors(mechanism.joints[closure.joint].kind);
+    const auto [low, high] =
+        std::minmax({cluster[find_body(mechanism, first.body)], cluster[find_body(mechanism, second.body)]});
+    std::ranges::replace(cluster, high, low);
+  }
+  return cluster;
+}
+
+}  // namespace
+
 void place_loose_bodies(const Mechanism& mechanism, Assembly& assembly) {
   const Topology topology = find_topology(mechanism);
-  const auto find_root = [&](int body) {
-    while (topology.bodies[body].parent >= 0) body = topology.bodies[body].parent;
-    return body;
-  };
+  const std::vector<int> cluster = find_clusters(mechanism, topology);
+  std::vector<bool> placed(cluster.size(), false);
+  placed[0] = true;
   for (const auto& [loose, slide] : topology.loose) {
     const BodyStart& start = mechanism.bodies[loose].start;
-    const BodyPose& pose = assembly.poses[loose];
+    if (placed[cluster[loose]] || (!start.position && !start.velocity)) continue;
+    placed[cluster[loose]] = true;
+    const BodyPose pose = assembly.poses[loose];
     const Vec2 shift = start.position.value_or(pose.position) - pose.position;
     const Vec2 push = start.velocity.value_or(pose.velocity) - pose.velocity;
-    for (int body = 0; body < static_cast<int>(assembly.poses.size()); ++body) {
-      if (find_root(body) != loose) continue;
+    for (std::size_t body = 0; body < cluster.size(); ++body) {
+      if (cluster[body] != cluster[loose]) continue;
       assembly.poses[body].position += shift;
       assembly.poses[body].velocity += push;
     }

@@ -9,7 +9,8 @@
 namespace gudgeon {
 
 /// Moves every loose body, and what hangs from it, to the start position and velocity given for it. Without them it
-/// stays where the ideal joints have put it, journals in the middle of their bearings.
+/// stays where the ideal joints have put it, journals in the middle of their bearings. So does one that pins in slots
+/// tie to the frame; of several that they tie to each other the first one's place counts.
 void place_loose_bodies(const Mechanism& mechanism, Assembly& assembly);
 
 /// Throws ModelError when a journal starts beyond the surface of its bearing, naming every such joint.

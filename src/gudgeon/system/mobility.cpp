@@ -13,15 +13,18 @@ namespace gudgeon {
 
 namespace {
 
-int count_rows(const AnyJoint& joint) {
+int count_joint_rows(const AnyJoint& joint) {
   if (has_clearance(joint)) return 0;
+  if (std::holds_alternative<PinInSlot>(joint)) return 1;
   return std::holds_alternative<Rigid>(joint) ? 3 : 2;
 }
 
-std::string describe_row(const Mechanism& mechanism, const ClosureRows& rows, int row) {
-  const std::string& name = mechanism.joints[rows.joint].name;
-  if (rows.is_line) return fmt::format("joint '{}': its line", name);
-  return fmt::format("joint '{}': its {} direction", name, row == 0 ? "x" : "y");
+std::string describe_row(const System& system, std::size_t closure, int row) {
+  const Closure& at = system.topology.closures[closure];
+  const std::string name = name_closure(system.mechanism, system.topology, at);
+  if (at.kind == ClosureKind::line) return name + ": its line";
+  if (at.kind == ClosureKind::angle) return name + ": its relative angle";
+  return fmt::format("{}: its {} direction", name, row == 0 ? "x" : "y");
 }
 
 }  // namespace
@@ -35,16 +38,15 @@ Mobility find_mobility(const Mechanism& mechanism) {
   Mobility mobility;
   mobility.n_bodies = static_cast<int>(mechanism.bodies.size()) - 1;
   mobility.n_coordinates = 3 * mobility.n_bodies;
-  for (const Joint& joint : mechanism.joints) mobility.n_constraint_rows += count_rows(joint.kind);
+  for (const Joint& joint : mechanism.joints) mobility.n_constraint_rows += count_joint_rows(joint.kind);
   mobility.n_constraint_rows += static_cast<int>(mechanism.drivers.size());
   for (const int joint : system.topology.redundant_ties) {
     mobility.redundant_constraints.push_back(
         fmt::format("joint '{}': its relative angle", mechanism.joints[joint].name));
   }
   for (std::size_t c = 0; c < system.tables.closures.size(); ++c) {
-    const ClosureRows& rows = system.tables.closures[c];
-    for (int k = 0; k < (rows.is_line ? 1 : 2); ++k) {
-      if (!redundancy.active[c][k]) mobility.redundant_constraints.push_back(describe_row(mechanism, rows, k));
+    for (int k = 0; k < count_rows(system.tables.closures[c].kind); ++k) {
+      if (!redundancy.active[c][k]) mobility.redundant_constraints.push_back(describe_row(system, c, k));
     }
   }
   mobility.n_redundant_rows = static_cast<int>(mobility.redundant_constraints.size());

@@ -37,6 +37,12 @@ ReactionFinder::ReactionFinder(const System& system) : system_(&system) {
         },
         load.kind));
   }
+  for (const DrivenMotion& motion : system.topology.driven) {
+    const auto* angle = std::get_if<DrivenAngle>(&mechanism.drivers[motion.driver].target);
+    driven_angles_.push_back(angle == nullptr
+                                 ? std::array{-1, -1}
+                                 : std::array{find_body(mechanism, angle->body), find_body(mechanism, angle->against)});
+  }
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) outward_.push_back(static_cast<int>(b));
   std::ranges::stable_sort(outward_, {}, [&](int body) { return system.topology.bodies[body].depth; });
   find_tie_steps();
@@ -52,9 +58,9 @@ void ReactionFinder::find_tie_steps() {
   const Topology& topology = system_->topology;
   std::vector<bool> reached(mechanism.bodies.size(), false);
   std::vector<int> roots{0};
-  for (const Driver& driver : mechanism.drivers) {
-    if (const auto* angle = std::get_if<DrivenAngle>(&driver.target))
-      roots.push_back(find_body(mechanism, angle->body));
+  for (int d = 0; d < topology.counts.n_driven_turns; ++d) {
+    const Driver& driver = mechanism.drivers[topology.driven[d].driver];
+    roots.push_back(find_body(mechanism, std::get<DrivenAngle>(driver.target).body));
   }
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) roots.push_back(static_cast<int>(b));
   for (const int root : roots) {
@@ -126,12 +132,25 @@ void ReactionFinder::apply_contacts(const Workspace& workspace) noexcept {
 void ReactionFinder::apply_closures(const Workspace& workspace) noexcept {
   const Tables& tables = system_->tables;
   for (const ClosureRows& rows : tables.closures) {
+    if (rows.kind == ClosureKind::angle) continue;
     // The solution holds −λ; λ pushes the second point along its closure's rows.
     Vec2 force;
     if (rows.active[0]) force.x = -workspace.equations[rows.row[0]];
     if (rows.active[1]) force.y = -workspace.equations[rows.row[1]];
-    if (rows.is_line) force = force.x * (workspace.coordinates.rotation[rows.line_turn] * rows.normal);
+    if (rows.kind == ClosureKind::line)
+      force = force.x * (workspace.coordinates.rotation[rows.line_turn] * rows.normal);
     apply_joint_force(rows.joint, force);
+  }
+}
+
+// Torque on the driven body, what is left over on its root, and its opposite on the body that it is driven against.
+void ReactionFinder::apply_driver_torques(const Workspace& workspace) noexcept {
+  const int n_driven = system_->topology.counts.n_driven();
+  for (std::size_t d = 0; d < driven_angles_.size(); ++d) {
+    const auto& [body, against] = driven_angles_[d];
+    if (body < 0) continue;
+    if (static_cast<int>(d) >= n_driven) moment_needed_[body] -= workspace.effort[d];
+    moment_needed_[against] += workspace.effort[d];
   }
 }
 
@@ -182,6 +201,7 @@ const std::vector<JointReaction>& ReactionFinder::update(const Workspace& worksp
   apply_loads(workspace);
   apply_contacts(workspace);
   apply_closures(workspace);
+  apply_driver_torques(workspace);
   sweep_tree();
   sweep_ties();
   remove_driver_forces(workspace);

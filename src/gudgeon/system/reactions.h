@@ -4,6 +4,7 @@
 // Forces in the ideal joints, by one backward Newton-Euler sweep over a solved state.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "gudgeon/system/body_motion.h"
@@ -58,17 +59,19 @@ class ReactionFinder {
   void apply_loads(const Workspace& workspace) noexcept;
   void apply_contacts(const Workspace& workspace) noexcept;
   void apply_closures(const Workspace& workspace) noexcept;
+  void apply_driver_torques(const Workspace& workspace) noexcept;
   void sweep_tree() noexcept;
   void sweep_ties() noexcept;
   void remove_driver_forces(const Workspace& workspace) noexcept;
 
   const System* system_;
   const std::vector<BodyMotion>* motions_ = nullptr;
-  std::vector<JointEnds> ends_;        // one a joint
-  std::vector<int> outward_;           // bodies, children after parents
-  std::vector<TieStep> tie_steps_;     // outermost first
-  std::vector<LoadEnds> load_ends_;    // one a load
-  std::vector<Vec2> force_needed_;     // one a body: what is still missing to its m a
+  std::vector<JointEnds> ends_;                    // one a joint
+  std::vector<int> outward_;                       // bodies, children after parents
+  std::vector<TieStep> tie_steps_;                 // outermost first
+  std::vector<std::array<int, 2>> driven_angles_;  // one a driver of the tables: its body and the other; -1 for a slide
+  std::vector<LoadEnds> load_ends_;                // one a load
+  std::vector<Vec2> force_needed_;                 // one a body: what is still missing to its m a
   std::vector<double> moment_needed_;  // one a body: what is still missing to its I θ̈, about its centre of mass
   std::vector<JointReaction> reactions_;
   std::vector<double> root_moments_;

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "gudgeon/system/dynamics.h"
@@ -69,6 +70,9 @@ class RankProbe {
     return neighbour;
   }
 
+  /// What the drivers ask for where the probe was last.
+  [[nodiscard]] const std::vector<DrivenValue>& driven() const { return workspace_.coordinates.driven; }
+
  private:
   void update(double t, const VectorXd& q) {
     update_coordinates(tables_, t, q.data(), rest_.data(), workspace_.coordinates);
@@ -80,10 +84,15 @@ class RankProbe {
   std::vector<double> rest_;
 };
 
-double find_small_time(const Tables& tables) {
-  double fastest = 0.0;
-  for (const DrivenMotion& motion : tables.driven) fastest = std::max(fastest, std::abs(motion.speed));
-  return fastest > 0.0 ? kNeighbourDistance / fastest : 0.0;
+// Until the first driver is that far on: the root of ½ a t² + v t = d. Zero when none moves.
+double find_small_time(const std::vector<DrivenValue>& driven) {
+  double soonest = std::numeric_limits<double>::infinity();
+  for (const DrivenValue& at : driven) {
+    const double rate = std::abs(at.rate);
+    const double root = rate + std::sqrt(rate * rate + 2.0 * kNeighbourDistance * std::abs(at.acceleration));
+    if (root > 0.0) soonest = std::min(soonest, 2.0 * kNeighbourDistance / root);
+  }
+  return std::isfinite(soonest) ? soonest : 0.0;
 }
 
 }  // namespace
@@ -96,7 +105,7 @@ Redundancy find_redundancy(const Tables& tables, double t, const std::vector<dou
 
   RowRank best = rank_here;
   VectorXd best_at = here;
-  const double later = t + find_small_time(tables);
+  const double later = t + find_small_time(probe.driven());
   for (int probes = 0; probes < kProbes && best.rank < tables.n_rows; ++probes) {
     // From here anew, and from the best so far, where independent loops come free one after the other.
     const auto neighbour = probe.find_neighbour(later, probes % 2 == 0 ? here : best_at, probes / 2);

@@ -6,6 +6,7 @@
 // Unknowns, rows and driven coordinates are numbered together: [free turns | free slides | closure rows | driven turns
 // | driven slides | one bin]. The bin takes what belongs to no equation (the frame), so that loops need no branches.
 // Matrix entries are numbered slots: [those of the elimination | couplings with driven coordinates | one bin].
+// Couplings among driven coordinates have slots only where a driver accelerates.
 #pragma once
 
 #include <array>
@@ -77,23 +78,27 @@ struct ClosureTerm {
   int slot_slide[2];  ///< of (row, slide)
 };
 
-/// A sum of terms that must vanish: both components, or only the one along a normal that turns with a body.
+/// A sum of terms that must vanish: both components, or only the one along a normal that turns with a body; or the
+/// difference of two turns that must be the one a driver asks for.
 struct ClosureRows {
-  int joint;
+  int joint;   ///< -1 for a driver's
+  int driver;  ///< index into Tables::driven; -1 for a joint's
+  ClosureKind kind;
   int first_term;
   int end_term;
-  bool is_line;
-  bool active[2];   ///< a redundant row is measured but not enforced
-  int row[2];       ///< index of its equation (the bin when not active)
-  int line_turn;    ///< turn of the normal
-  Vec2 normal;      ///< in that turn's axes
-  int slot_normal;  ///< of (row, line_turn)
+  bool active[2];     ///< a redundant row is measured but not enforced
+  int row[2];         ///< index of its equation (the bin when not active)
+  int line_turn;      ///< turn of the normal
+  Vec2 normal;        ///< in that turn's axes
+  int slot_normal;    ///< of (row, line_turn)
+  int angle_turn[2];  ///< turns of the body and of the one it is driven against
 };
 
-/// Matrix entry of a driven coordinate with an unknown, for the driver's effort.
+/// Matrix entry of a driven coordinate with an unknown, for the driver's effort and for what its acceleration asks of
+/// the unknown; or with another driven coordinate or itself.
 struct Coupling {
   int driven;  ///< index of the driven coordinate's equation
-  int other;   ///< index of the unknown or row
+  int other;   ///< index of the unknown or row, or of the other driven coordinate
   int slot;
 };
 
@@ -111,8 +116,10 @@ struct Tables {
   std::vector<TurnTorque> torques;
   std::vector<ClosureTerm> closure_terms;
   std::vector<ClosureRows> closures;
-  std::vector<Coupling> couplings;
-  std::vector<DrivenMotion> driven;
+  std::vector<Coupling> couplings;         ///< of driven coordinates with unknowns and rows
+  std::vector<Coupling> driven_couplings;  ///< of driven coordinates among each other; none when all move uniformly
+  std::vector<DrivenMotion> driven;        ///< one a driver: turns, slides, then those of angle closures
+  bool drivers_accelerate = false;         ///< at least one driver does not move uniformly
   Elimination elimination;
   std::vector<double> usual_inverse_pivots;  ///< of the elimination at the start; none until they are known
 

@@ -63,8 +63,17 @@ class TopologyBuilder {
         slot = d;
         continue;
       }
-      const int body = find_body(mechanism_, std::get<DrivenAngle>(driver.target).body);
-      const int group = groups_.group[body];
+      const DrivenAngle& angle = std::get<DrivenAngle>(driver.target);
+      const int group = groups_.group[find_body(mechanism_, angle.body)];
+      const int against = groups_.group[find_body(mechanism_, angle.against)];
+      if (against != groups_.group[0]) {
+        if (group == against) {
+          throw_driver_error(driver, "guides or rigid joints hold the angle between its two bodies",
+                             "remove the driver, or join the bodies by a revolute joint");
+        }
+        relative_drivers_.push_back(d);
+        continue;
+      }
       if (group == groups_.group[0]) {
         throw_driver_error(driver, "guides or rigid joints hold its body's angle to the frame",
                            "drive the prismatic joint (slide = \"…\") instead");
@@ -94,10 +103,20 @@ class TopologyBuilder {
     }
     for (int g = 0; g < groups_.n_groups; ++g) {
       if (angle_driver_[g] < 0) continue;
-      const Driver& driver = mechanism_.drivers[angle_driver_[g]];
-      const int body = find_body(mechanism_, std::get<DrivenAngle>(driver.target).body);
-      topology_.driven.push_back({angle_driver_[g], driver.start - groups_.offset[body], driver.speed});
+      topology_.driven.push_back(make_motion(angle_driver_[g]));
     }
+  }
+
+  // What a driver asks of its turn or slide, or of the difference of two turns.
+  DrivenMotion make_motion(int index) const {
+    const Driver& driver = mechanism_.drivers[index];
+    DrivenMotion motion{index, 0.0, 0.0, driver.motion};
+    if (driver.is_uniform()) motion.start = driver.start, motion.speed = driver.speed;
+    if (const auto* angle = std::get_if<DrivenAngle>(&driver.target)) {
+      motion.start += groups_.offset[find_body(mechanism_, angle->against)];
+      motion.start -= groups_.offset[find_body(mechanism_, angle->body)];
+    }
+    return motion;
   }
 
   // Prim's algorithm: joints without a new unknown first, then the shortest path to the frame, then the model's order.
@@ -105,7 +124,7 @@ class TopologyBuilder {
     std::vector<Edge> edges;
     for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
       const AnyJoint& kind = mechanism_.joints[j].kind;
-      if (has_clearance(kind)) continue;
+      if (has_clearance(kind) || std::holds_alternative<PinInSlot>(kind)) continue;
       const auto [first, second] = anchors(kind);
       edges.push_back({j, find_body(mechanism_, first.body), find_body(mechanism_, second.body),
                        std::holds_alternative<Prismatic>(kind) && slide_driver_[j] < 0});
@@ -165,8 +184,7 @@ class TopologyBuilder {
     for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
       if (slide_driver_[j] < 0) continue;
       topology_.joint_slide[j] = counts.n_free_slides + counts.n_driven_slides++;
-      const Driver& driver = mechanism_.drivers[slide_driver_[j]];
-      topology_.driven.push_back({slide_driver_[j], driver.start, driver.speed});
+      topology_.driven.push_back(make_motion(slide_driver_[j]));
     }
   }
 
@@ -220,7 +238,13 @@ class TopologyBuilder {
     for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
       const AnyJoint& kind = mechanism_.joints[j].kind;
       if (joint_in_tree_[j] || has_clearance(kind)) continue;
-      topology_.closures.push_back({j, std::holds_alternative<Prismatic>(kind) && slide_driver_[j] < 0});
+      const bool is_line =
+          std::holds_alternative<PinInSlot>(kind) || (std::holds_alternative<Prismatic>(kind) && slide_driver_[j] < 0);
+      topology_.closures.push_back({j, -1, is_line ? ClosureKind::line : ClosureKind::point});
+    }
+    for (const int d : relative_drivers_) {
+      topology_.closures.push_back({-1, static_cast<int>(topology_.driven.size()), ClosureKind::angle});
+      topology_.driven.push_back(make_motion(d));
     }
   }
 
@@ -229,6 +253,7 @@ class TopologyBuilder {
   Topology topology_;
   std::vector<int> angle_driver_;  // one a group, or -1
   std::vector<int> slide_driver_;  // one a joint, or -1
+  std::vector<int> relative_drivers_;
   std::vector<bool> in_tree_;
   std::vector<bool> joint_in_tree_;
   std::vector<int> order_;  // bodies, parents before children
@@ -246,6 +271,16 @@ Path Topology::find_path(int body, Vec2 local) const {
     path.push_back({node.turn, counts.unit_slide(), vector});
   }
   return path;
+}
+
+std::string name_closure(const Mechanism& mechanism, const Topology& topology, const Closure& closure) {
+  if (closure.joint >= 0) return fmt::format("joint '{}'", mechanism.joints[closure.joint].name);
+  return fmt::format("driver '{}'", mechanism.drivers[topology.driven[closure.driver].driver].name);
+}
+
+double find_line_direction(const AnyJoint& joint) {
+  const auto* slot = std::get_if<PinInSlot>(&joint);
+  return slot != nullptr ? slot->direction : std::get<Prismatic>(joint).direction;
 }
 
 Topology find_topology(const Mechanism& mechanism) { return TopologyBuilder(mechanism).build(); }

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "gudgeon/base/vec2.h"
@@ -49,10 +51,21 @@ struct BodyNode {
   Path origin;  ///< path to the body's origin
 };
 
-/// A joint that closes a loop.
+/// What must vanish for a loop to be closed.
+enum class ClosureKind {
+  point,  ///< both components of the second point minus the first
+  line,   ///< the component across a line that turns with the first body: a free prismatic joint, a pin in a slot
+  angle,  ///< the angle of a body against another one minus what their driver asks for [rad]
+};
+
+/// How many rows a closure has.
+constexpr int count_rows(ClosureKind kind) { return kind == ClosureKind::point ? 2 : 1; }
+
+/// A joint that closes a loop, or a driver between two moving bodies.
 struct Closure {
-  int joint = 0;
-  bool is_line = false;  ///< one row (a free prismatic joint) instead of two
+  int joint = -1;   ///< -1 for a driver's
+  int driver = -1;  ///< index into Topology::driven; -1 for a joint's
+  ClosureKind kind = ClosureKind::point;
 };
 
 /// A joint that ties the angles of two bodies and is not implied by other such joints.
@@ -60,11 +73,15 @@ struct AngleTie {
   int joint = 0;
 };
 
-/// The motion of one driven coordinate: value = start + speed t.
+/// The motion that one driver asks for: value = start + speed t + f(t).
 struct DrivenMotion {
   int driver = 0;      ///< index into Mechanism::drivers
   double start = 0.0;  ///< of the turn or slide, offsets removed
   double speed = 0.0;
+  std::variant<std::monostate, Expression, SampledCurve> motion = std::monostate{};  ///< f, none if uniform
+  double difference_step = 0.0;  ///< [s] that an expression's rate is found with, once it is compiled
+
+  [[nodiscard]] bool is_uniform() const { return std::holds_alternative<std::monostate>(motion); }
 };
 
 struct Topology {
@@ -76,11 +93,17 @@ struct Topology {
   std::vector<Closure> closures;
   std::vector<AngleTie> angle_ties;
   std::vector<int> redundant_ties;   ///< joints whose angle condition others imply
-  std::vector<DrivenMotion> driven;  ///< turns, then slides, in coordinate order
+  std::vector<DrivenMotion> driven;  ///< one a driver: turns, then slides, in coordinate order, then angles of closures
 
   /// The path to a point given in a body's own axes.
   [[nodiscard]] Path find_path(int body, Vec2 local) const;
 };
+
+/// What holds a closure, in words: "joint 'A'" or "driver 'elbow'".
+std::string name_closure(const Mechanism& mechanism, const Topology& topology, const Closure& closure);
+
+/// Direction [rad] of the line that a prismatic joint or a pin in a slot has in its first body's axes.
+double find_line_direction(const AnyJoint& joint);
 
 /// Grows the tree. Throws ModelError when drivers or angle conditions contradict each other.
 Topology find_topology(const Mechanism& mechanism);

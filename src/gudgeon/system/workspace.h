@@ -13,13 +13,13 @@ namespace gudgeon {
 
 struct Workspace {
   explicit Workspace(const Tables& tables)
-      : coordinates(tables.counts),
+      : coordinates(tables.counts, tables.driven),
         values(tables.n_slots, 0.0),
         inverse_pivots(tables.n_solve, 0.0),
         factors(tables.n_slots, 0.0),
         solution(tables.n_solve, 0.0),
         equations(tables.n_indices, 0.0),
-        effort(tables.counts.n_driven(), 0.0),
+        effort(tables.driven.size(), 0.0),
         closure_gap(tables.closures.size()),
         closure_rate(tables.closures.size()),
         point_motions(tables.points.rows().size()),
@@ -33,9 +33,9 @@ struct Workspace {
   std::vector<double> factors;  ///< kept aside while a solution is refined
   std::vector<double> solution;
   std::vector<double> equations;   ///< right-hand side; after a solve accelerations, then −λ of each active row
-  std::vector<double> effort;      ///< torque or force of each driver [N m, N], positive along its coordinate
-  std::vector<Vec2> closure_gap;   ///< φ [m] of each closure, (line, 0) for a line
-  std::vector<Vec2> closure_rate;  ///< φ̇ [m/s]
+  std::vector<double> effort;      ///< torque or force of each driver [N m, N], positive along its value
+  std::vector<Vec2> closure_gap;   ///< φ [m] of each closure, (line, 0) for a line, (angle [rad], 0) for an angle
+  std::vector<Vec2> closure_rate;  ///< φ̇ [m/s, rad/s]
   std::vector<PointChain::PointMotion> point_motions;
   std::vector<Vec2> point_loads;  ///< force on each chain row [N]
   std::vector<ContactForces> contact_forces;
