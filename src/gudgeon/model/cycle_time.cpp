@@ -15,7 +15,8 @@ const Driver* find_cycle_driver(const Mechanism& mechanism, const Study& study) 
   if (!named && study.cycle_time != 0.0) return nullptr;
   const auto found = std::ranges::find_if(mechanism.drivers, [&](const Driver& driver) {
     const bool turns = driver.speed != 0.0 && std::isfinite(driver.speed);
-    return std::holds_alternative<DrivenAngle>(driver.target) && (named ? driver.name == study.cycle_driver : turns);
+    return std::holds_alternative<DrivenAngle>(driver.target) && driver.is_uniform() &&
+           (named ? driver.name == study.cycle_driver : turns);
   });
   return found == mechanism.drivers.end() ? nullptr : &*found;
 }

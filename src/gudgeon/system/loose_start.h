@@ -12,7 +12,8 @@ namespace gudgeon {
 /// stays where the ideal joints have put it, journals in the middle of their bearings.
 void place_loose_bodies(const Mechanism& mechanism, Assembly& assembly);
 
-/// Throws ModelError when a journal starts beyond the surface of its bearing, naming every such joint.
+/// Throws ModelError when a journal starts beyond the surface of its bearing or a spring starts without length, naming
+/// every such joint and load.
 void require_clear_start(const Mechanism& mechanism, const Assembly& assembly);
 
 }  // namespace gudgeon
