@@ -67,7 +67,7 @@ void read_sections(const DocumentNode& root, ModelFile& model) {
   const std::vector<ContactProperties> contacts = read_contacts(table, materials);
   mechanism.joints = read_joints(table, contacts);
   mechanism.drivers = read_drivers(table, mechanism);
-  mechanism.loads = read_loads(table, mechanism);
+  mechanism.loads = read_loads(table);
   model.study = read_study(table);
   table.find("cases");
   table.check_unknown_keys();
