@@ -21,7 +21,7 @@ struct NamedDimension {
   std::string_view unit;
 };
 
-constexpr std::array<NamedDimension, 16> kNamed{{
+constexpr std::array<NamedDimension, 20> kNamed{{
     {dimension::kNone, "a number without unit", "1"},
     {dimension::kLength, "a length", "m"},
     {dimension::kMass, "a mass", "kg"},
@@ -38,6 +38,10 @@ constexpr std::array<NamedDimension, 16> kNamed{{
     {dimension::kPerLength, "one over a length", "1/m"},
     {dimension::kPerTime, "one over a time", "1/s"},
     {dimension::kTimePerLength, "a time over a length", "s/m"},
+    {dimension::kStiffness, "a stiffness", "N/m"},
+    {dimension::kDamping, "a damping coefficient", "N s/m"},
+    {dimension::kAngularStiffness, "an angular stiffness", "N m/rad"},
+    {dimension::kAngularDamping, "an angular damping coefficient", "N m s/rad"},
 }};
 
 const NamedDimension* find_named(Dimension dimension) {

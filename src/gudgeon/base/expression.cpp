@@ -83,6 +83,16 @@ ExpressionError translate(const mu::ParserError& error, const std::string& text)
 
 }  // namespace
 
+const std::vector<std::string>& list_formula_functions() {
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names{"smooth_step"};
+    for (const auto& [name, callback] : mu::Parser{}.GetFunDef()) names.push_back(name);
+    std::ranges::sort(names);
+    return names;
+  }();
+  return kNames;
+}
+
 struct ExpressionEvaluator::Implementation {
   mu::Parser parser;
   std::vector<double> values;  // of all variables; the parser points into it

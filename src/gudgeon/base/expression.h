@@ -23,6 +23,9 @@ class ExpressionError : public std::runtime_error {
   std::size_t position_;
 };
 
+/// The names of all functions that a formula may use: "abs", "sin", "smooth_step" …
+const std::vector<std::string>& list_formula_functions();
+
 /// A compiled formula of named variables; names may contain dots ("crank.angle"). Not to be shared by threads: each
 /// makes its own. Movable.
 class ExpressionEvaluator {

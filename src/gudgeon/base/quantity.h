@@ -38,6 +38,10 @@ inline constexpr Dimension kPerPressure{1, -1, 2, 0};
 inline constexpr Dimension kPerLength{-1, 0, 0, 0};
 inline constexpr Dimension kPerTime{0, 0, -1, 0};
 inline constexpr Dimension kTimePerLength{-1, 0, 1, 0};
+inline constexpr Dimension kStiffness{0, 1, -2, 0};
+inline constexpr Dimension kDamping{0, 1, -1, 0};
+inline constexpr Dimension kAngularStiffness{2, 1, -2, -1};
+inline constexpr Dimension kAngularDamping{2, 1, -1, -1};
 }  // namespace dimension
 
 struct Quantity {

@@ -78,19 +78,35 @@ std::string make_caret(std::string_view line, const SourceSpan& span) {
   return caret + std::string(std::max<std::size_t>(width, 1), '^');
 }
 
+/// The place of the part of a text that is meant; the whole value's where the text is not a plain one of that line.
+SourceSpan find_part(const Diagnostic& item, const SourceSpan& whole, std::string_view line) {
+  for (int column = 1; column < whole.column && !line.empty(); ++column) take_code_point(line);
+  const bool quoted =
+      (line.starts_with('"') && !line.starts_with("\"\"\"")) || (line.starts_with('\'') && !line.starts_with("'''"));
+  if (item.part < 0 || !quoted) return whole;
+  line.remove_prefix(1);
+  const std::string_view before = line.substr(0, static_cast<std::size_t>(item.part));
+  if (before.find('\\') != std::string_view::npos) return whole;  // an escape is longer than what it stands for
+  SourceSpan part{whole.line, whole.column + 1, std::max(item.part_length, 1)};
+  for (std::string_view rest = before; !rest.empty(); ++part.column) take_code_point(rest);
+  return part;
+}
+
 void render_one(std::string& out, const Diagnostic& item, const SourceMap& source) {
   const auto write = std::back_inserter(out);
   const SourceSpan* span = source.find(item.path);
   const std::string* origin = source.find_origin(item.path);
-  if (span != nullptr && span->line > 0) {
-    fmt::format_to(write, "{}:{}:{}: ", source.file, span->line, span->column);
+  const bool placed = span != nullptr && span->line > 0;
+  const std::string_view line = placed ? find_line(source.text, span->line) : std::string_view{};
+  const SourceSpan place = placed ? find_part(item, *span, line) : SourceSpan{};
+  if (placed) {
+    fmt::format_to(write, "{}:{}:{}: ", source.file, place.line, place.column);
   } else if (origin != nullptr) {
     fmt::format_to(write, "{}: ", *origin);
   }
   fmt::format_to(write, "{} {}: {}\n", severity_name(item.severity), item.code, item.message);
-  if (span != nullptr && span->line > 0) {
-    const std::string_view line = find_line(source.text, span->line);
-    fmt::format_to(write, "{:>5} | {}\n      | {}\n", span->line, line, make_caret(line, *span));
+  if (placed) {
+    fmt::format_to(write, "{:>5} | {}\n      | {}\n", place.line, line, make_caret(line, place));
     if (origin != nullptr) fmt::format_to(write, "   set by {}\n", *origin);
   }
   for (const std::string& note : item.notes) fmt::format_to(write, "   {}\n", note);

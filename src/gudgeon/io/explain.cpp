@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "gudgeon/io/explain_loads.h"
 #include "gudgeon/io/explain_text.h"
 #include "gudgeon/io/read_sections.h"
 #include "gudgeon/laws/law.h"
@@ -193,30 +194,6 @@ void write_kind(const RevoluteClearance& joint, SharedTables& shared, TomlLines&
   out.line("radial_clearance", toml_quantity(joint.radial_clearance, dimension::kLength));
   out.line("width", toml_quantity(joint.width, dimension::kLength));
   out.line("contact", toml_text(shared.contact_name(joint.contact)));
-}
-
-void write_driver(const Driver& driver, TomlLines& out) {
-  out.header("drivers", driver.name);
-  if (const auto* angle = std::get_if<DrivenAngle>(&driver.target)) {
-    out.line("body", toml_text(angle->body));
-    out.line("start", toml_quantity(driver.start, dimension::kAngle));
-    out.line("speed", toml_quantity(driver.speed, dimension::kAngularSpeed));
-  } else if (const auto* slide = std::get_if<DrivenSlide>(&driver.target)) {
-    out.line("slide", toml_text(slide->joint));
-    out.line("start", toml_quantity(driver.start, dimension::kLength));
-    out.line("speed", toml_quantity(driver.speed, dimension::kSpeed));
-  }
-}
-
-void write_load(const Load& load, TomlLines& out) {
-  out.header("loads", load.name);
-  if (const auto* force = std::get_if<ConstantForce>(&load.kind)) {
-    out.line("point", point_text(force->point));
-    out.line("force", toml_vector(force->force, dimension::kForce));
-  } else if (const auto* torque = std::get_if<ConstantTorque>(&load.kind)) {
-    out.line("body", toml_text(torque->body));
-    out.line("torque", toml_quantity(torque->torque, dimension::kTorque));
-  }
 }
 
 void write_published(const PublishedValue& published, TomlLines& out) {

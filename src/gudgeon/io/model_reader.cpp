@@ -78,7 +78,9 @@ void read_sections(const DocumentNode& root, ModelFile& model) {
 void update_cycle(const Mechanism& mechanism, Study& study) {
   const Driver* driver = find_cycle_driver(mechanism, study);
   if (driver != nullptr) study.cycle_driver = driver->name;
-  study.cycle_time = find_cycle_time(mechanism, study);
+  // Motions need a cycle_time; the check says so.
+  const bool uniform = std::ranges::all_of(mechanism.drivers, &Driver::is_uniform);
+  if (driver != nullptr || uniform) study.cycle_time = find_cycle_time(mechanism, study);
 }
 
 /// Adds what the check finds, but not again what reading has reported: a value that could not be read is no value.

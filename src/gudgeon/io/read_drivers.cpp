@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Drivers and loads: what moves a mechanism.
+// Drivers: what moves a mechanism.
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "gudgeon/io/read_function.h"
 #include "gudgeon/io/read_sections.h"
 
 namespace gudgeon {
@@ -30,6 +33,24 @@ bool check_one_of(TableReader& table, std::string_view first, std::string_view s
   return !both && !none;
 }
 
+/// A driver that stands still is a motion too.
+void read_motion(const DocumentNode& node, Dimension dimension, TableReader& table, Driver& driver) {
+  Function motion = read_function(node, table.path_of("motion"), dimension, read_constants(table), table);
+  if (auto* expression = std::get_if<Expression>(&motion)) {
+    driver.motion = std::move(*expression);
+  } else if (auto* curve = std::get_if<SampledCurve>(&motion)) {
+    driver.motion = std::move(*curve);
+  } else {
+    driver.start = std::get<double>(motion);
+  }
+  for (const char* key : {"start", "speed"}) {
+    if (!table.has(key)) continue;
+    table.find(key);
+    table.report("E-FILE-013", key, fmt::format("motion and {} exclude each other", key),
+                 {"motion says where the driver is at every time, its start too"});
+  }
+}
+
 std::optional<Driver> read_driver(const DocumentEntry& entry, const Mechanism& mechanism, ReadLog& log) {
   Driver driver;
   driver.name = entry.key;
@@ -39,8 +60,9 @@ std::optional<Driver> read_driver(const DocumentEntry& entry, const Mechanism& m
   Dimension start = dimension::kAngle;
   Dimension speed = dimension::kAngularSpeed;
   if (const auto body = table.find_text("body")) {
-    driver.target = DrivenAngle{*body};
-    default_start = find_body_start(mechanism, *body);
+    const std::string against = table.find_text("against").value_or(kFrameName);
+    driver.target = DrivenAngle{*body, against};
+    default_start = find_body_start(mechanism, *body) - find_body_start(mechanism, against);
   }
   if (const auto slide = table.find_text("slide")) {
     driver.target = DrivenSlide{*slide};
@@ -48,26 +70,14 @@ std::optional<Driver> read_driver(const DocumentEntry& entry, const Mechanism& m
     start = dimension::kLength;
     speed = dimension::kSpeed;
   }
-  driver.start = table.find_quantity("start", start).value_or(default_start);
-  driver.speed = table.read_quantity("speed", speed);
+  if (const DocumentNode* motion = table.find("motion")) {
+    read_motion(*motion, start, table, driver);
+  } else {
+    driver.start = table.find_quantity("start", start).value_or(default_start);
+    driver.speed = table.read_quantity("speed", speed);
+  }
   table.check_unknown_keys();
   return driver;
-}
-
-std::optional<Load> read_load(const DocumentEntry& entry, ReadLog& log) {
-  TableReader table{entry.node, "loads." + entry.key, fmt::format("load '{}'", entry.key), log};
-  if (!check_one_of(table, "body", "point")) return std::nullopt;
-  Load load{entry.key, {}};
-  if (const auto body = table.find_text("body")) {
-    load.kind = ConstantTorque{*body, table.read_quantity("torque", dimension::kTorque)};
-  }
-  if (const DocumentNode* point = table.find("point")) {
-    const Anchor anchor = read_anchor(*point, table.path_of("point"), table);
-    table.find_required("force");
-    load.kind = ConstantForce{anchor, table.find_vector("force", dimension::kForce).value_or(Vec2{})};
-  }
-  table.check_unknown_keys();
-  return load;
 }
 
 }  // namespace
@@ -80,16 +90,6 @@ std::vector<Driver> read_drivers(TableReader& root, const Mechanism& mechanism) 
     if (auto driver = read_driver(entry, mechanism, root.log())) drivers.push_back(std::move(*driver));
   }
   return drivers;
-}
-
-std::vector<Load> read_loads(TableReader& root) {
-  std::vector<Load> loads;
-  auto all = root.find_table("loads", "loads");
-  if (!all) return loads;
-  for (const DocumentEntry& entry : all->entries()) {
-    if (auto load = read_load(entry, root.log())) loads.push_back(std::move(*load));
-  }
-  return loads;
 }
 
 }  // namespace gudgeon

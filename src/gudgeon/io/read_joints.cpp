@@ -13,18 +13,6 @@ namespace gudgeon {
 
 namespace {
 
-void read_between(TableReader& table, Anchor& first, Anchor& second) {
-  const DocumentNode* node = table.find_required("between");
-  if (node == nullptr) return;
-  const auto* array = std::get_if<DocumentNode::Array>(&node->value);
-  if (array == nullptr || array->size() != 2) {
-    table.report("E-FILE-003", "between", "between must be an array of two points, [\"body.point\", \"body.point\"]");
-    return;
-  }
-  first = read_anchor((*array)[0], table.path_of("between.0"), table);
-  second = read_anchor((*array)[1], table.path_of("between.1"), table);
-}
-
 Anchor read_anchor_of(TableReader& table, std::string_view key) {
   const DocumentNode* node = table.find_required(key);
   return node == nullptr ? Anchor{} : read_anchor(*node, table.path_of(key), table);
@@ -81,18 +69,70 @@ AnyJoint read_clearance(TableReader& table, std::span<const ContactProperties> c
   return joint;
 }
 
+AnyJoint read_pin_in_slot(TableReader& table) {
+  PinInSlot joint;
+  read_between(table, joint.first, joint.second);
+  joint.direction = table.read_quantity("direction", dimension::kAngle);
+  return joint;
+}
+
+AnyJoint read_prismatic_clearance(TableReader& table, std::span<const ContactProperties> contacts) {
+  PrismaticClearance joint;
+  joint.bearing = read_anchor_of(table, "bearing");
+  joint.journal = read_anchor_of(table, "journal");
+  joint.direction = table.read_quantity("direction", dimension::kAngle);
+  joint.relative_angle = table.find_quantity("relative_angle", dimension::kAngle).value_or(0.0);
+  joint.bearing_length = table.read_quantity("bearing_length", dimension::kLength);
+  joint.journal_length = table.read_quantity("journal_length", dimension::kLength);
+  joint.journal_height = table.read_quantity("journal_height", dimension::kLength);
+  joint.corner_radius = table.read_quantity("corner_radius", dimension::kLength);
+  joint.clearance = table.read_quantity("clearance", dimension::kLength);
+  joint.width = table.read_quantity("width", dimension::kLength);
+  joint.contact = read_contact_of(table, contacts);
+  return joint;
+}
+
+AnyJoint read_pin_in_slot_clearance(TableReader& table, std::span<const ContactProperties> contacts) {
+  PinInSlotClearance joint;
+  joint.bearing = read_anchor_of(table, "bearing");
+  joint.journal = read_anchor_of(table, "journal");
+  joint.direction = table.read_quantity("direction", dimension::kAngle);
+  joint.bearing_length = table.read_quantity("bearing_length", dimension::kLength);
+  joint.journal_radius = table.read_quantity("journal_radius", dimension::kLength);
+  joint.clearance = table.read_quantity("clearance", dimension::kLength);
+  joint.width = table.read_quantity("width", dimension::kLength);
+  joint.contact = read_contact_of(table, contacts);
+  return joint;
+}
+
 std::optional<AnyJoint> read_kind(TableReader& table, std::span<const ContactProperties> contacts) {
   const std::string type = table.read_text("type");
   if (type == "revolute") return read_revolute(table);
   if (type == "prismatic") return read_prismatic(table);
   if (type == "rigid") return read_rigid(table);
+  if (type == "pin_in_slot") return read_pin_in_slot(table);
   if (type == "revolute_clearance") return read_clearance(table, contacts);
-  const std::vector<std::string> types{"revolute", "prismatic", "rigid", "revolute_clearance"};
+  if (type == "prismatic_clearance") return read_prismatic_clearance(table, contacts);
+  if (type == "pin_in_slot_clearance") return read_pin_in_slot_clearance(table, contacts);
+  const std::vector<std::string> types{"revolute",           "prismatic",           "pin_in_slot",          "rigid",
+                                       "revolute_clearance", "prismatic_clearance", "pin_in_slot_clearance"};
   if (!type.empty()) table.report_unknown_choice("type", type, types);
   return std::nullopt;
 }
 
 }  // namespace
+
+void read_between(TableReader& table, Anchor& first, Anchor& second) {
+  const DocumentNode* node = table.find_required("between");
+  if (node == nullptr) return;
+  const auto* array = std::get_if<DocumentNode::Array>(&node->value);
+  if (array == nullptr || array->size() != 2) {
+    table.report("E-FILE-003", "between", "between must be an array of two points, [\"body.point\", \"body.point\"]");
+    return;
+  }
+  first = read_anchor((*array)[0], table.path_of("between.0"), table);
+  second = read_anchor((*array)[1], table.path_of("between.1"), table);
+}
 
 Anchor read_anchor(const DocumentNode& node, const std::string& path, TableReader& table) {
   const auto* text = std::get_if<std::string>(&node.value);

@@ -48,6 +48,8 @@ std::vector<Load> read_loads(TableReader& root);
 /// [study]
 Study read_study(TableReader& root);
 
+/// The two points of between = ["body.point", "body.point"]; what is wrong is reported.
+void read_between(TableReader& table, Anchor& first, Anchor& second);
 /// "crank_1.A" as body and point; nothing, and an error under the path, when it is not of that form.
 Anchor read_anchor(const DocumentNode& node, const std::string& path, TableReader& table);
 

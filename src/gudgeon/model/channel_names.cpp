@@ -52,4 +52,24 @@ std::vector<StateChannel> list_state_channels(const Mechanism& mechanism) {
   return channels;
 }
 
+Dimension find_dimension(StateChannel::Quantity quantity) {
+  switch (quantity) {
+    case time:
+      return dimension::kTime;
+    case x:
+    case y:
+    case displacement:
+      return dimension::kLength;
+    case x_velocity:
+    case y_velocity:
+    case speed:
+      return dimension::kSpeed;
+    case angle:
+      return dimension::kAngle;
+    case angle_rate:
+      return dimension::kAngularSpeed;
+  }
+  return dimension::kNone;
+}
+
 }  // namespace gudgeon

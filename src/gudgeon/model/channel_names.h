@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gudgeon/base/quantity.h"
 #include "gudgeon/model/mechanism.h"
 
 namespace gudgeon {
@@ -34,5 +35,8 @@ struct StateChannel {
 /// All of them, time first, in the order of the model. They are what a load may depend on: forces and accelerations are
 /// not among them, because they depend on the loads.
 std::vector<StateChannel> list_state_channels(const Mechanism& mechanism);
+
+/// Of the channel's values.
+Dimension find_dimension(StateChannel::Quantity quantity);
 
 }  // namespace gudgeon

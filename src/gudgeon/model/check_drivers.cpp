@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rules for drivers and loads: what they act on.
+// Rules for drivers: what they drive, and their motions.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
+#include "gudgeon/base/cubic_spline.h"
+#include "gudgeon/base/expression.h"
 #include "gudgeon/model/check_rules.h"
+#include "gudgeon/model/cycle_time.h"
 
 namespace gudgeon {
 
@@ -15,87 +19,162 @@ namespace {
 
 // Start angles that differ by less are the same number written twice.
 constexpr double kSameAngle = 1e-9;
+// A table that falls short of the run by less, of its duration, ends with it.
+constexpr double kSameTime = 1e-9;
+// How many moments of the run a motion is tried at: a gap of a thousandth of the run is found.
+constexpr int kTrials = 1000;
 
-bool check_body_target(CheckRules& rules, const Driver& driver, const std::string& path, const std::string& body) {
-  const int index = find_body(rules.mechanism, body);
-  if (index < 0) {
-    rules.report_unknown("E-MODEL-040", path + ".body",
-                         fmt::format("driver '{}' drives body '{}', and no body has that name", driver.name, body),
-                         body, "bodies", list_names(rules.mechanism.bodies));
+class DriverCheck {
+ public:
+  DriverCheck(CheckRules& rules, const Driver& driver)
+      : rules_(rules),
+        driver_(driver),
+        subject_(fmt::format("driver '{}'", driver.name)),
+        path_(fmt::format("drivers.{}", driver.name)) {}
+
+  /// What is driven, in words that are the same for the same target; empty when it does not exist.
+  std::string check_target() {
+    if (const auto* slide = std::get_if<DrivenSlide>(&driver_.target)) {
+      return check_slide(slide->joint) ? fmt::format("joint '{}'", slide->joint) : std::string{};
+    }
+    const auto& angle = std::get<DrivenAngle>(driver_.target);
+    const bool body = check_body(".body", angle.body);
+    const bool against = check_body(".against", angle.against);
+    if (!body || !against) return {};
+    if (angle.body == angle.against && angle.body != kFrameName) {
+      rules_.diagnostics.error("E-MODEL-044", path_ + ".against",
+                               fmt::format("{} drives body '{}' against itself", subject_, angle.body));
+      return {};
+    }
+    if (angle.body == kFrameName) {
+      std::vector<std::string> notes;
+      if (angle.against != kFrameName) notes.push_back(fmt::format("drive body '{}' instead", angle.against));
+      rules_.diagnostics.error("E-MODEL-041", path_ + ".body",
+                               fmt::format("{} drives the frame, which does not move", subject_), notes);
+      return {};
+    }
+    if (angle.against == kFrameName) return fmt::format("body '{}'", angle.body);
+    const auto [low, high] = std::minmax(angle.body, angle.against);
+    return fmt::format("the angle between bodies '{}' and '{}'", low, high);
+  }
+
+  void check_motion() {
+    const bool turns = std::holds_alternative<DrivenAngle>(driver_.target);
+    const FunctionUse use{subject_ + ": motion", path_, "motion", true};
+    if (const auto* expression = std::get_if<Expression>(&driver_.motion)) {
+      if (check_expression(rules_, use, *expression)) check_values(*expression);
+    } else if (const auto* curve = std::get_if<SampledCurve>(&driver_.motion)) {
+      if (check_curve(rules_, use, *curve)) check_cover(*curve);
+    } else {
+      const Dimension start = turns ? dimension::kAngle : dimension::kLength;
+      const Dimension speed = turns ? dimension::kAngularSpeed : dimension::kSpeed;
+      rules_.check_range("E-MODEL-005", {subject_, path_ + ".start", driver_.start, start}, {});
+      rules_.check_range("E-MODEL-005", {subject_, path_ + ".speed", driver_.speed, speed}, {});
+      start_ = driver_.start;
+    }
+  }
+
+  void remark_start() {
+    const auto* angle = std::get_if<DrivenAngle>(&driver_.target);
+    if (angle == nullptr || !start_) return;
+    const auto guess = find_guess(angle->body);
+    const auto against = find_guess(angle->against);
+    if (!guess || !against || !(std::abs(*guess - *against - *start_) > kSameAngle)) return;
+    const bool relative = angle->against != kFrameName;
+    rules_.diagnostics.remark(
+        "R-MODEL-107", path_ + (driver_.is_uniform() ? ".start" : ".motion"),
+        fmt::format("{} starts at {:.6g} rad, body '{}'{} at {:.6g} rad; the driver's holds", subject_, *start_,
+                    angle->body, relative ? fmt::format(" against '{}'", angle->against) : "", *guess - *against));
+  }
+
+ private:
+  bool check_body(const char* key, const std::string& body) {
+    if (find_body(rules_.mechanism, body) >= 0) return true;
+    rules_.report_unknown("E-MODEL-040", path_ + key,
+                          fmt::format("{} drives {}body '{}', and no body has that name", subject_,
+                                      std::string_view{key} == ".against" ? "against " : "", body),
+                          body, "bodies", list_names(rules_.mechanism.bodies));
     return false;
   }
-  if (body == kFrameName) {
-    rules.diagnostics.error("E-MODEL-041", path + ".body",
-                            fmt::format("driver '{}' drives the frame, which does not move", driver.name));
+
+  bool check_slide(const std::string& joint) {
+    const int index = find_joint(rules_.mechanism, joint);
+    if (index < 0) {
+      rules_.report_unknown("E-MODEL-040", path_ + ".slide",
+                            fmt::format("{} drives joint '{}', and no joint has that name", subject_, joint), joint,
+                            "joints", list_names(rules_.mechanism.joints));
+      return false;
+    }
+    const AnyJoint& kind = rules_.mechanism.joints[index].kind;
+    if (std::holds_alternative<Prismatic>(kind)) return true;
+    std::vector<std::string> notes;
+    if (has_clearance(kind))
+      notes.emplace_back("a joint with clearance cannot be driven: nothing prescribes its motion");
+    rules_.diagnostics.error("E-MODEL-043", path_ + ".slide",
+                             fmt::format("{} drives joint '{}', which is not prismatic", subject_, joint), notes);
     return false;
   }
-  const std::optional<double> guess = rules.mechanism.bodies[index].start.angle;
-  if (guess && std::abs(*guess - driver.start) > kSameAngle) {
-    rules.diagnostics.remark(
-        "R-MODEL-107", path + ".start",
-        fmt::format("driver '{}' starts at {:.6g} rad, body '{}' at {:.6g} rad; the driver's holds", driver.name,
-                    driver.start, body, *guess));
-  }
-  return true;
-}
 
-bool check_slide_target(CheckRules& rules, const Driver& driver, const std::string& path, const std::string& joint) {
-  const int index = find_joint(rules.mechanism, joint);
-  if (index < 0) {
-    rules.report_unknown("E-MODEL-040", path + ".slide",
-                         fmt::format("driver '{}' drives joint '{}', and no joint has that name", driver.name, joint),
-                         joint, "joints", list_names(rules.mechanism.joints));
-    return false;
+  /// [s] How long a stage runs; 0 while the study is not sound.
+  [[nodiscard]] double find_duration() const {
+    const Study& study = rules_.study;
+    const double duration = find_cycle_time(rules_.mechanism, study) * (study.cycles + study.warm_up_cycles);
+    return std::isfinite(duration) && study.cycles > 0 && study.warm_up_cycles >= 0 ? std::max(duration, 0.0) : 0.0;
   }
-  if (std::holds_alternative<Prismatic>(rules.mechanism.joints[index].kind)) return true;
-  rules.diagnostics.error("E-MODEL-043", path + ".slide",
-                          fmt::format("driver '{}' drives joint '{}', which is not prismatic", driver.name, joint));
-  return false;
-}
 
-void check_driver(CheckRules& rules, const Driver& driver, std::set<std::string>& seen) {
-  const std::string subject = fmt::format("driver '{}'", driver.name);
-  const std::string path = fmt::format("drivers.{}", driver.name);
-  const auto* angle = std::get_if<DrivenAngle>(&driver.target);
-  const auto* slide = std::get_if<DrivenSlide>(&driver.target);
-  const std::string target =
-      angle != nullptr ? fmt::format("body '{}'", angle->body) : fmt::format("joint '{}'", slide->joint);
-  const bool good = angle != nullptr ? check_body_target(rules, driver, path, angle->body)
-                                     : check_slide_target(rules, driver, path, slide->joint);
-  if (good && !seen.insert(target).second) {
-    rules.diagnostics.error("E-MODEL-042", path, fmt::format("{} has more than one driver", target));
+  void check_values(const Expression& expression) {
+    ExpressionEvaluator motion(expression.text, expression.constants, {"t"});
+    const double duration = find_duration();
+    for (int k = 0; k <= kTrials; ++k) {
+      const double time = duration * k / kTrials;
+      const double value = motion.eval(&time);
+      if (k == 0) start_ = value;
+      if (std::isfinite(value)) continue;
+      rules_.diagnostics.error(
+          "E-MODEL-088", rules_.find_path({path_ + ".motion.expression", path_ + ".motion"}),
+          fmt::format("{}: motion \"{}\" has no value at t = {:.6g} s", subject_, expression.text, time));
+      return;
+    }
   }
-  const ParameterRange any;
-  const Dimension start = angle != nullptr ? dimension::kAngle : dimension::kLength;
-  const Dimension speed = angle != nullptr ? dimension::kAngularSpeed : dimension::kSpeed;
-  rules.check_range("E-MODEL-005", {subject, path + ".start", driver.start, start}, any);
-  rules.check_range("E-MODEL-005", {subject, path + ".speed", driver.speed, speed}, any);
-}
+
+  void check_cover(const SampledCurve& curve) {
+    start_ = CubicSpline(curve.arguments, curve.values, curve.periodic).eval(0.0).value;
+    const double duration = find_duration();
+    const double margin = kSameTime * duration;
+    if (curve.periodic || (curve.arguments.front() <= margin && curve.arguments.back() >= duration - margin)) return;
+    rules_.diagnostics.error(
+        "E-MODEL-087", path_ + ".motion.arguments",
+        fmt::format("{}: motion is known from {:.6g} s to {:.6g} s, and the study runs from 0 s to {:.6g} s", subject_,
+                    curve.arguments.front(), curve.arguments.back(), duration),
+        {"add points, shorten the study, or let it repeat with periodic = true"});
+  }
+
+  [[nodiscard]] std::optional<double> find_guess(const std::string& body) const {
+    if (body == kFrameName) return 0.0;
+    const int index = find_body(rules_.mechanism, body);
+    return index < 0 ? std::nullopt : rules_.mechanism.bodies[index].start.angle;
+  }
+
+  CheckRules& rules_;
+  const Driver& driver_;
+  std::string subject_;
+  std::string path_;
+  std::optional<double> start_;  // [rad or m] at t = 0
+};
 
 }  // namespace
 
 void check_drivers(CheckRules& rules) {
-  std::set<std::string> seen;
-  for (const Driver& driver : rules.mechanism.drivers) check_driver(rules, driver, seen);
-}
-
-void check_loads(CheckRules& rules) {
-  for (const Load& load : rules.mechanism.loads) {
-    const std::string subject = fmt::format("load '{}'", load.name);
-    const std::string path = fmt::format("loads.{}", load.name);
-    if (const auto* force = std::get_if<ConstantForce>(&load.kind)) {
-      check_anchor(rules, subject, path + ".point", force->point);
-      rules.check_finite(subject, path + ".force", force->force);
+  std::map<std::string, int> seen;
+  for (const Driver& driver : rules.mechanism.drivers) {
+    DriverCheck check(rules, driver);
+    const std::string target = check.check_target();
+    if (!target.empty() && ++seen[target] > 1) {
+      rules.diagnostics.error("E-MODEL-042", fmt::format("drivers.{}", driver.name),
+                              fmt::format("{} has more than one driver", target));
     }
-    if (const auto* torque = std::get_if<ConstantTorque>(&load.kind)) {
-      if (find_body(rules.mechanism, torque->body) < 0) {
-        rules.report_unknown("E-MODEL-050", path + ".body",
-                             fmt::format("{} acts on body '{}', and no body has that name", subject, torque->body),
-                             torque->body, "bodies", list_names(rules.mechanism.bodies));
-      }
-      rules.check_range("E-MODEL-005", {subject, path + ".torque", torque->torque, dimension::kTorque},
-                        ParameterRange{});
-    }
+    check.check_motion();
+    if (!target.empty()) check.remark_start();
   }
 }
 

@@ -4,7 +4,9 @@
 // Rules for joints: what they connect, and the sizes of bearings.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "gudgeon/model/check_rules.h"
 
@@ -19,8 +21,8 @@ void check_angle(CheckRules& rules, const std::string& subject, const std::strin
   rules.check_range("E-MODEL-005", {subject, path, angle, dimension::kAngle}, ParameterRange{});
 }
 
-void check_clearance(CheckRules& rules, const RevoluteClearance& joint, const std::string& subject,
-                     const std::string& path) {
+void check_sizes(CheckRules& rules, const RevoluteClearance& joint, const std::string& subject,
+                 const std::string& path) {
   using dimension::kLength;
   const CheckRules::Value radius{subject, path + ".bearing_radius", joint.bearing_radius, kLength};
   const CheckRules::Value clearance{subject, path + ".radial_clearance", joint.radial_clearance, kLength};
@@ -42,7 +44,76 @@ void check_clearance(CheckRules& rules, const RevoluteClearance& joint, const st
   }
 }
 
-void check_prismatic(CheckRules& rules, const Prismatic& joint, const std::string& subject, const std::string& path) {
+/// Lengths of a clearance joint that must be positive; true when all are.
+bool check_lengths(CheckRules& rules, const std::string& subject, const std::string& path,
+                   std::initializer_list<std::pair<const char*, double>> lengths) {
+  bool good = true;
+  for (const auto& [key, length] : lengths) {
+    rules.check_range("E-MODEL-012", {subject, path + "." + key, length, dimension::kLength}, kPositive);
+    good = good && length > 0.0;
+  }
+  return good;
+}
+
+void check_sizes(CheckRules& rules, const PrismaticClearance& joint, const std::string& subject,
+                 const std::string& path) {
+  const auto length = [&](const char* key, double value) {
+    return rules.describe({subject, path + "." + key, value, dimension::kLength});
+  };
+  check_angle(rules, subject, path + ".direction", joint.direction);
+  check_angle(rules, subject, path + ".relative_angle", joint.relative_angle);
+  const bool good = check_lengths(rules, subject, path,
+                                  {{"bearing_length", joint.bearing_length},
+                                   {"journal_length", joint.journal_length},
+                                   {"journal_height", joint.journal_height},
+                                   {"corner_radius", joint.corner_radius},
+                                   {"clearance", joint.clearance},
+                                   {"width", joint.width}});
+  if (!good) return;
+  if (joint.journal_length >= joint.bearing_length) {
+    rules.diagnostics.error(
+        "E-MODEL-014", path + ".journal_length",
+        fmt::format("{}: journal_length is {}; it must be below the bearing_length, {}", subject,
+                    length("journal_length", joint.journal_length), length("bearing_length", joint.bearing_length)),
+        {"the slot must be longer than the block that slides in it"});
+  }
+  const double largest = 0.5 * std::min(joint.journal_length, joint.journal_height);
+  if (joint.corner_radius > largest) {
+    rules.diagnostics.error("E-MODEL-015", path + ".corner_radius",
+                            fmt::format("{}: corner_radius is {}; it must be at most half the block's length and "
+                                        "height, {:.6g} m",
+                                        subject, length("corner_radius", joint.corner_radius), largest));
+  }
+}
+
+void check_sizes(CheckRules& rules, const PinInSlotClearance& joint, const std::string& subject,
+                 const std::string& path) {
+  check_angle(rules, subject, path + ".direction", joint.direction);
+  const bool good = check_lengths(rules, subject, path,
+                                  {{"bearing_length", joint.bearing_length},
+                                   {"journal_radius", joint.journal_radius},
+                                   {"clearance", joint.clearance},
+                                   {"width", joint.width}});
+  if (!good || 2.0 * joint.journal_radius < joint.bearing_length) return;
+  rules.diagnostics.error(
+      "E-MODEL-016", path + ".journal_radius",
+      fmt::format("{}: journal_radius is {}; a pin of that size does not fit into a slot of bearing_length {}", subject,
+                  rules.describe({subject, path + ".journal_radius", joint.journal_radius, dimension::kLength}),
+                  rules.describe({subject, path + ".bearing_length", joint.bearing_length, dimension::kLength})));
+}
+
+void check_sizes(CheckRules& /*rules*/, const Revolute& /*joint*/, const std::string& /*subject*/,
+                 const std::string& /*path*/) {}
+
+void check_sizes(CheckRules& rules, const PinInSlot& joint, const std::string& subject, const std::string& path) {
+  check_angle(rules, subject, path + ".direction", joint.direction);
+}
+
+void check_sizes(CheckRules& rules, const Rigid& joint, const std::string& subject, const std::string& path) {
+  check_angle(rules, subject, path + ".relative_angle", joint.relative_angle);
+}
+
+void check_sizes(CheckRules& rules, const Prismatic& joint, const std::string& subject, const std::string& path) {
   const ParameterRange any;
   check_angle(rules, subject, path + ".direction", joint.direction);
   check_angle(rules, subject, path + ".relative_angle", joint.relative_angle);
@@ -58,19 +129,15 @@ void check_prismatic(CheckRules& rules, const Prismatic& joint, const std::strin
 void check_joint(CheckRules& rules, const Joint& joint) {
   const std::string subject = fmt::format("joint '{}'", joint.name);
   const std::string path = fmt::format("joints.{}", joint.name);
-  const auto* clearance = std::get_if<RevoluteClearance>(&joint.kind);
+  const bool clearance = has_clearance(joint.kind);
   const auto [first, second] = anchors(joint.kind);
-  check_anchor(rules, subject, path + (clearance != nullptr ? ".bearing" : ".between.0"), first);
-  check_anchor(rules, subject, path + (clearance != nullptr ? ".journal" : ".between.1"), second);
+  check_anchor(rules, subject, path + (clearance ? ".bearing" : ".between.0"), first);
+  check_anchor(rules, subject, path + (clearance ? ".journal" : ".between.1"), second);
   if (first.body == second.body && !first.body.empty()) {
-    rules.diagnostics.error("E-MODEL-023", path + (clearance != nullptr ? ".journal" : ".between"),
+    rules.diagnostics.error("E-MODEL-023", path + (clearance ? ".journal" : ".between"),
                             fmt::format("{} connects body '{}' with itself", subject, first.body));
   }
-  if (clearance != nullptr) check_clearance(rules, *clearance, subject, path);
-  if (const auto* slide = std::get_if<Prismatic>(&joint.kind)) check_prismatic(rules, *slide, subject, path);
-  if (const auto* rigid = std::get_if<Rigid>(&joint.kind)) {
-    check_angle(rules, subject, path + ".relative_angle", rigid->relative_angle);
-  }
+  std::visit([&](const auto& kind) { check_sizes(rules, kind, subject, path); }, joint.kind);
 }
 
 }  // namespace

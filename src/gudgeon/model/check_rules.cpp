@@ -46,9 +46,19 @@ std::string CheckRules::describe(const Value& value) const {
   return quoted ? fmt::format("{} ({})", written->second, si) : si;
 }
 
+std::string CheckRules::find_path(const std::vector<std::string>& paths) const {
+  const auto known = [this](const std::string& path) {
+    return source_ != nullptr && (source_->written.contains(path) || source_->spans.contains(path));
+  };
+  const auto found = std::ranges::find_if(paths, known);
+  return found == paths.end() ? paths.back() : *found;
+}
+
 void CheckRules::check_range(std::string_view code, const Value& value, const ParameterRange& range) {
   if (std::isfinite(value.value) && range.contains(value.value)) return;
-  const std::string key = value.path.substr(value.path.rfind('.') + 1);
+  std::string key = value.path.substr(value.path.rfind('.') + 1);
+  if (key == "0") key = "x";  // of a vector
+  if (key == "1") key = "y";
   diagnostics.error(std::string{code}, value.path,
                     fmt::format("{}: {} is {}; it must be {}", value.subject, key, describe(value),
                                 describe_range(range, value.dimension)));

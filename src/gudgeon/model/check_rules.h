@@ -37,6 +37,8 @@ class CheckRules {
   /// Says that a name is none of the known ones.
   void report_unknown(std::string_view code, const std::string& path, const std::string& message, std::string_view name,
                       std::string_view kind, const std::vector<std::string>& known);
+  /// The first of the paths that the source knows; the last when it knows none.
+  [[nodiscard]] std::string find_path(const std::vector<std::string>& paths) const;
   /// "\"-0.5 mm\" (-0.0005 m)", or only the SI value when it is not known how it was written.
   [[nodiscard]] std::string describe(const Value& value) const;
 
@@ -64,6 +66,21 @@ void check_contacts(CheckRules& rules);
 void check_drivers(CheckRules& rules);
 void check_loads(CheckRules& rules);
 void check_study(CheckRules& rules);
+
+/// Whose a function is: where it stands, and what it may depend on.
+struct FunctionUse {
+  std::string subject;        ///< "load 'push': x of force"
+  std::string owner;          ///< "loads.push", the path of the table that may have constants for it
+  std::string key;            ///< "force.0"
+  bool of_time_only = false;  ///< true for motions
+  [[nodiscard]] std::string path() const { return owner + "." + key; }
+};
+
+/// Demands that a function can be evaluated.
+void check_function(CheckRules& rules, const FunctionUse& use, const Function& function);
+/// The same; true when it can.
+bool check_expression(CheckRules& rules, const FunctionUse& use, const Expression& expression);
+bool check_curve(CheckRules& rules, const FunctionUse& use, const SampledCurve& curve);
 
 /// Demands that body and point exist.
 void check_anchor(CheckRules& rules, const std::string& subject, const std::string& path, const Anchor& anchor);

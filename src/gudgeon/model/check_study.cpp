@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "gudgeon/model/check_rules.h"
 #include "gudgeon/model/cycle_time.h"
@@ -58,6 +59,11 @@ bool check_cycle_driver(CheckRules& rules) {
     rules.diagnostics.error("E-STUDY-002", "study.cycle_driver",
                             fmt::format("study: cycle_driver '{}' drives a slide, which has no turns", name),
                             {"give cycle_time instead"});
+  } else if (!found->is_uniform()) {
+    rules.diagnostics.error(
+        "E-STUDY-012", "study.cycle_driver",
+        fmt::format("study: cycle_driver '{}' moves as its motion says, which need not make turns", name),
+        {"give cycle_time instead"});
   } else if (found->speed == 0.0) {
     rules.diagnostics.error("E-STUDY-003", "study.cycle_driver",
                             fmt::format("study: cycle_driver '{}' stands still, so it has no turns", name),
@@ -72,6 +78,13 @@ void check_cycle(CheckRules& rules) {
   const Study& study = rules.study;
   if (!check_cycle_driver(rules)) return;
   const bool given = study.cycle_time != 0.0;
+  const bool any_motion = std::ranges::any_of(rules.mechanism.drivers, std::not_fn(&Driver::is_uniform));
+  if (!given && any_motion && find_cycle_driver(rules.mechanism, study) == nullptr) {
+    rules.diagnostics.error("E-STUDY-013", "study",
+                            "study: cycle_time is missing; no driver turns uniformly, so nothing says what a cycle is",
+                            {"give cycle_time = \"1 s\", a period of the drivers' motions for example"});
+    return;
+  }
   const double time = find_cycle_time(rules.mechanism, study);
   const CheckRules::Value written{"study", "study.cycle_time", given ? study.cycle_time : time, dimension::kTime};
   rules.check_range("E-STUDY-004", written, kPositive);

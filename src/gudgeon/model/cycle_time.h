@@ -14,7 +14,7 @@ inline constexpr double kDefaultCycleTime = 1.0;
 
 /// The driver whose turn is one cycle: the study's cycle_driver; without one and without a cycle_time the first driver
 /// that turns a body uniformly. nullptr when the cycle is a time, or when the named driver does not exist, drives no
-/// angle or does not move uniformly.
+/// angle, or has a motion of its own.
 const Driver* find_cycle_driver(const Mechanism& mechanism, const Study& study);
 
 /// [s] One turn of the cycle driver, 2π/|speed|; without one the study's cycle_time, or kDefaultCycleTime when that is

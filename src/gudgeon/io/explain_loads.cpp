@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Functions, drivers and loads in the words that the reader reads.
+#include "gudgeon/io/explain_loads.h"
+
+namespace gudgeon {
+
+namespace {
+
+std::string point_text(const Anchor& anchor) { return toml_text(anchor.body + "." + anchor.point); }
+
+std::string numbers_text(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : ", ") + toml_number(number);
+  return "[" + text + "]";
+}
+
+std::string curve_text(const SampledCurve& curve) {
+  return fmt::format("{{ over = {}, arguments = {}, values = {}, periodic = {} }}", toml_text(curve.over),
+                     numbers_text(curve.arguments), numbers_text(curve.values), curve.periodic ? "true" : "false");
+}
+
+std::string function_text(const Function& function, Dimension dimension) {
+  if (const auto* constant = std::get_if<double>(&function)) return toml_quantity(*constant, dimension);
+  if (const auto* expression = std::get_if<Expression>(&function)) return toml_text(expression->text);
+  return curve_text(std::get<SampledCurve>(function));
+}
+
+void write_constants(std::initializer_list<const Function*> functions, TomlLines& out) {
+  for (const Function* function : functions) {
+    const auto* expression = std::get_if<Expression>(function);
+    if (expression == nullptr || expression->constants.empty()) continue;
+    std::string text;
+    for (const auto& [name, value] : expression->constants) {
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, toml_number(value));
+    }
+    out.line("constants", fmt::format("{{ {} }}", text));
+    return;  // the formulas of one load share theirs
+  }
+}
+
+void write_kind(const ConstantForce& load, TomlLines& out) {
+  out.line("type", "\"force\"");
+  out.line("point", point_text(load.point));
+  out.line("force", toml_vector(load.force, dimension::kForce));
+}
+
+void write_kind(const ConstantTorque& load, TomlLines& out) {
+  out.line("type", "\"torque\"");
+  out.line("body", toml_text(load.body));
+  out.line("torque", toml_quantity(load.torque, dimension::kTorque));
+}
+
+void write_kind(const VariableForce& load, TomlLines& out) {
+  out.line("type", "\"force\"");
+  out.line("point", point_text(load.point));
+  out.line("axes", toml_text(load.axes));
+  out.line("force",
+           fmt::format("[{}, {}]", function_text(load.x, dimension::kForce), function_text(load.y, dimension::kForce)));
+  write_constants({&load.x, &load.y}, out);
+}
+
+void write_kind(const VariableTorque& load, TomlLines& out) {
+  out.line("type", "\"torque\"");
+  out.line("body", toml_text(load.body));
+  out.line("against", toml_text(load.against));
+  out.line("torque", function_text(load.torque, dimension::kTorque));
+  write_constants({&load.torque}, out);
+}
+
+void write_kind(const Spring& load, TomlLines& out) {
+  out.line("type", "\"spring\"");
+  out.line("between", fmt::format("[{}, {}]", point_text(load.first), point_text(load.second)));
+  out.line("stiffness", toml_quantity(load.stiffness, dimension::kStiffness));
+  out.line("damping", toml_quantity(load.damping, dimension::kDamping));
+  out.line("free_length", toml_quantity(load.free_length, dimension::kLength));
+}
+
+void write_kind(const TorsionSpring& load, TomlLines& out) {
+  out.line("type", "\"torsion_spring\"");
+  out.line("between", fmt::format("[{}, {}]", toml_text(load.first), toml_text(load.second)));
+  out.line("stiffness", toml_quantity(load.stiffness, dimension::kAngularStiffness));
+  out.line("damping", toml_quantity(load.damping, dimension::kAngularDamping));
+  out.line("free_angle", toml_quantity(load.free_angle, dimension::kAngle));
+}
+
+void write_kind(const Bushing& load, TomlLines& out) {
+  out.line("type", "\"bushing\"");
+  out.line("between", fmt::format("[{}, {}]", point_text(load.first), point_text(load.second)));
+  out.line("stiffness", toml_vector(load.stiffness, dimension::kStiffness));
+  out.line("damping", toml_vector(load.damping, dimension::kDamping));
+  out.line("angular_stiffness", toml_quantity(load.angular_stiffness, dimension::kAngularStiffness));
+  out.line("angular_damping", toml_quantity(load.angular_damping, dimension::kAngularDamping));
+  out.line("free_angle", toml_quantity(load.free_angle, dimension::kAngle));
+}
+
+}  // namespace
+
+void write_driver(const Driver& driver, TomlLines& out) {
+  out.header("drivers", driver.name);
+  const auto* angle = std::get_if<DrivenAngle>(&driver.target);
+  if (angle != nullptr) {
+    out.line("body", toml_text(angle->body));
+    out.line("against", toml_text(angle->against));
+  } else {
+    out.line("slide", toml_text(std::get<DrivenSlide>(driver.target).joint));
+  }
+  if (const auto* expression = std::get_if<Expression>(&driver.motion)) {
+    out.line("motion", toml_text(expression->text));
+    const Function motion = *expression;
+    write_constants({&motion}, out);
+  } else if (const auto* curve = std::get_if<SampledCurve>(&driver.motion)) {
+    out.line("motion", curve_text(*curve));
+  } else {
+    out.line("start", toml_quantity(driver.start, angle != nullptr ? dimension::kAngle : dimension::kLength));
+    out.line("speed", toml_quantity(driver.speed, angle != nullptr ? dimension::kAngularSpeed : dimension::kSpeed));
+  }
+}
+
+void write_load(const Load& load, TomlLines& out) {
+  out.header("loads", load.name);
+  std::visit([&](const auto& kind) { write_kind(kind, out); }, load.kind);
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a node is: a constant, a formula or a curve.
+#include "gudgeon/io/read_function.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <optional>
+
+namespace gudgeon {
+
+namespace {
+
+constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
+
+std::string last_part(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+
+/// A text that reads as a quantity is one; where an operator could also join names, its dimension must be right too:
+/// "2*t" is twice the time, not two tonnes.
+bool is_quantity(const std::string& text, Dimension dimension) {
+  const auto parsed = parse_quantity(text);
+  const auto* quantity = std::get_if<Quantity>(&parsed);
+  if (quantity == nullptr) return false;
+  return quantity->dimension == dimension || text.find_first_of("*/^") == std::string::npos;
+}
+
+/// One unit in words, "mm", as what a number times it is in SI.
+double read_unit(TableReader& table, std::string_view key, std::optional<Dimension> dimension) {
+  const DocumentNode* node = table.find(key);
+  if (node == nullptr) return 1.0;
+  const auto* text = std::get_if<std::string>(&node->value);
+  const auto parsed = text == nullptr ? std::variant<Quantity, QuantityError>{QuantityError{"a text is needed"}}
+                                      : parse_quantity("1 " + *text);
+  if (const auto* error = std::get_if<QuantityError>(&parsed)) {
+    table.report("E-FILE-004", key, fmt::format("{} is no unit: {}", key, error->message));
+    return kUnread;
+  }
+  const Quantity& unit = std::get<Quantity>(parsed);
+  if (dimension && unit.dimension != *dimension) {
+    table.report("E-FILE-005", key,
+                 fmt::format("{} is \"{}\", {}; {} is needed", key, *text, dimension_name(unit.dimension),
+                             dimension_name(*dimension)));
+    return kUnread;
+  }
+  return unit.value;
+}
+
+std::vector<double> read_numbers(TableReader& table, std::string_view key, double unit) {
+  std::vector<double> numbers;
+  const DocumentNode* node = table.find_required(key);
+  if (node == nullptr) return numbers;
+  const auto* array = std::get_if<DocumentNode::Array>(&node->value);
+  if (array == nullptr) {
+    table.report("E-FILE-003", key, fmt::format("{} must be an array of numbers", key));
+    return numbers;
+  }
+  for (std::size_t k = 0; k < array->size(); ++k) {
+    const auto* number = std::get_if<double>(&(*array)[k].value);
+    if (number == nullptr) {
+      table.log().diagnostics.error(
+          "E-FILE-003", fmt::format("{}.{}", table.path_of(key), k),
+          fmt::format("{}: entry {} of {} is {}; a number is needed, in units of {}", table.subject(), k + 1, key,
+                      kind_name((*array)[k]), key == "arguments" ? "argument_unit" : "value_unit"));
+    }
+    numbers.push_back(number == nullptr ? kUnread : unit * *number);
+  }
+  return numbers;
+}
+
+SampledCurve read_curve(TableReader& table, Dimension dimension) {
+  SampledCurve curve;
+  curve.over = table.find_text("over").value_or("t");
+  // What a channel is measured in follows from its name; only the time's unit can be told here.
+  const double argument_unit =
+      read_unit(table, "argument_unit", curve.over == "t" ? std::optional{dimension::kTime} : std::nullopt);
+  curve.arguments = read_numbers(table, "arguments", argument_unit);
+  curve.values = read_numbers(table, "values", read_unit(table, "value_unit", dimension));
+  curve.periodic = table.find_switch("periodic").value_or(false);
+  table.check_unknown_keys();
+  return curve;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, double>> read_constants(TableReader& owner) {
+  std::vector<std::pair<std::string, double>> constants;
+  auto table = owner.find_table("constants", owner.subject() + ": constants");
+  if (!table) return constants;
+  for (const DocumentEntry& entry : table->entries()) {
+    const auto value = read_quantity(entry.node, std::nullopt, table->path_of(entry.key),
+                                     fmt::format("{}: constant '{}'", owner.subject(), entry.key), owner.log());
+    if (value) constants.emplace_back(entry.key, *value);
+  }
+  return constants;
+}
+
+Function read_function(const DocumentNode& node, const std::string& path, Dimension dimension,
+                       const std::vector<std::pair<std::string, double>>& constants, TableReader& owner) {
+  const std::string label = fmt::format("{}: {}", owner.subject(), last_part(path));
+  if (node.table() != nullptr) {
+    TableReader table{node, path, label, owner.log()};
+    return read_curve(table, dimension);
+  }
+  const auto* text = std::get_if<std::string>(&node.value);
+  if (text != nullptr && !is_quantity(*text, dimension)) return Expression{*text, constants};
+  return read_quantity(node, dimension, path, label, owner.log()).value_or(kUnread);
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rules for formulas: their constants, every name in them, and their grammar.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "gudgeon/base/expression.h"
+#include "gudgeon/model/channel_names.h"
+#include "gudgeon/model/check_rules.h"
+
+namespace gudgeon {
+
+namespace {
+
+/// A name in a formula's text, and where it begins.
+struct NameInText {
+  std::string name;
+  int position = 0;
+};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || (static_cast<unsigned char>(c) & 0x80U) != 0;
+}
+
+/// Behind the number that begins there: digits with a point, and an exponent.
+std::size_t skip_number(std::string_view text, std::size_t at) {
+  while (at < text.size() && (is_digit(text[at]) || text[at] == '.')) ++at;
+  if (at >= text.size() || (text[at] != 'e' && text[at] != 'E')) return at;
+  std::size_t exponent = at + 1;
+  if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) ++exponent;
+  if (exponent >= text.size() || !is_digit(text[exponent])) return at;
+  while (exponent < text.size() && is_digit(text[exponent])) ++exponent;
+  return exponent;
+}
+
+std::vector<NameInText> find_names(std::string_view text) {
+  std::vector<NameInText> names;
+  for (std::size_t at = 0; at < text.size();) {
+    if (is_digit(text[at]) || text[at] == '.') {
+      at = std::max(skip_number(text, at), at + 1);
+    } else if (is_letter(text[at])) {
+      const std::size_t begin = at;
+      while (at < text.size() && (is_letter(text[at]) || is_digit(text[at]) || text[at] == '.')) ++at;
+      names.push_back({std::string{text.substr(begin, at - begin)}, static_cast<int>(begin)});
+    } else {
+      ++at;
+    }
+  }
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// True for the last part of a recorded channel that depends on forces, "slider.x_acceleration", or on contacts.
+bool is_result(const std::string& name) {
+  static constexpr std::array<std::string_view, 17> kResults{
+      "x_acceleration", "y_acceleration", "angle_acceleration", "x_force",        "y_force",      "force",
+      "moment",         "effort",         "normal_force",       "friction_force", "penetration",  "slip_speed",
+      "in_contact",     "x_offset",       "y_offset",           "x_offset_rate",  "y_offset_rate"};
+  const auto dot = name.rfind('.');
+  return dot != std::string::npos && std::ranges::find(kResults, name.substr(dot + 1)) != kResults.end();
+}
+
+class ExpressionCheck {
+ public:
+  ExpressionCheck(CheckRules& rules, const FunctionUse& use, const Expression& expression)
+      : rules_(rules),
+        use_(use),
+        expression_(expression),
+        path_(rules.find_path({use.path() + ".expression", use.path()})) {
+    for (const StateChannel& channel : list_state_channels(rules.mechanism)) channels_.push_back(channel.name);
+    for (const auto& [name, value] : expression.constants) constants_.push_back(name);
+  }
+
+  /// True when the formula can be run.
+  bool check() {
+    check_constants();
+    const std::vector<NameInText> names = find_names(expression_.text);
+    bool good = true;
+    for (const NameInText& name : names) good = check_name(name) && good;
+    return good && check_grammar();
+  }
+
+ private:
+  void check_constants() {
+    for (std::size_t k = 0; k < constants_.size(); ++k) {
+      const std::string& name = constants_[k];
+      const std::string path = rules_.find_path(
+          {fmt::format("{}.constants.{}", use_.path(), name), fmt::format("{}.constants.{}", use_.owner, name), path_});
+      const auto fail = [&](const std::string& what) {
+        rules_.diagnostics.error("E-MODEL-080", path, fmt::format("{}: constant '{}' {}", use_.subject, name, what));
+      };
+      const bool plain = !name.empty() && !is_digit(name.front()) &&
+                         std::ranges::all_of(name, [](char c) { return is_digit(c) || (is_letter(c) && c > 0); });
+      if (!plain) fail("needs a name of the letters A-Z and a-z, digits and '_' that does not begin with a digit");
+      if (name == "t") fail("has the name of the time");
+      if (name == "pi") fail("has the name of π");
+      if (contains(list_formula_functions(), name)) fail("has the name of a function");
+      if (std::find(constants_.begin(), constants_.begin() + static_cast<std::ptrdiff_t>(k), name) !=
+          constants_.begin() + static_cast<std::ptrdiff_t>(k)) {
+        fail("is given twice");
+      }
+      if (!std::isfinite(expression_.constants[k].second)) fail("is not finite");
+    }
+  }
+
+  bool check_name(const NameInText& found) {
+    const std::string& name = found.name;
+    if (name == "t" || name == "pi" || contains(constants_, name) || contains(list_formula_functions(), name)) {
+      return true;
+    }
+    const bool known = contains(channels_, name);
+    if (known && !use_.of_time_only) return true;
+    if (known) {
+      fail("E-MODEL-083", found, fmt::format("uses '{}'; a motion may depend on the time t only", name),
+           {"a spring, or a load with this formula, follows the mechanism"});
+    } else if (is_result(name)) {
+      fail(
+          "E-MODEL-083", found, fmt::format("uses '{}', which is a result", name),
+          {"forces, accelerations and contacts depend on the loads, so loads may depend on positions and speeds only"});
+    } else {
+      fail("E-MODEL-082", found, fmt::format("uses '{}', and there is nothing of that name", name),
+           list_possible(name));
+    }
+    return false;
+  }
+
+  bool check_grammar() {
+    std::vector<std::string> variables = channels_;
+    if (use_.of_time_only) variables = {"t"};
+    try {
+      const ExpressionEvaluator formula(expression_.text, expression_.constants, variables);
+      return true;
+    } catch (const ExpressionError& error) {
+      fail("E-MODEL-081", {"", static_cast<int>(error.position())}, fmt::format("is no formula: {}", error.what()),
+           list_hints());
+      return false;
+    }
+  }
+
+  void fail(const char* code, const NameInText& where, const std::string& what, std::vector<std::string> notes) {
+    rules_.diagnostics.add({Severity::error, code, path_,
+                            fmt::format("{}: \"{}\" {}", use_.subject, expression_.text, what), std::move(notes),
+                            where.position, static_cast<int>(std::max<std::size_t>(where.name.size(), 1))});
+  }
+
+  /// A formula that begins like a quantity may be one with a slip of the pen.
+  [[nodiscard]] std::vector<std::string> list_hints() const {
+    const std::string& text = expression_.text;
+    const auto quantity = parse_quantity(text);
+    const bool like_one = !text.empty() && (is_digit(text.front()) || text.front() == '.' || text.front() == '-');
+    if (!like_one || !std::holds_alternative<QuantityError>(quantity)) return {};
+    return {"if a quantity was meant: " + std::get<QuantityError>(quantity).message};
+  }
+
+  [[nodiscard]] std::vector<std::string> list_possible(const std::string& name) const {
+    std::vector<std::string> notes = list_hints();
+    std::vector<std::string> near{"t", "pi"};
+    near.insert(near.end(), constants_.begin(), constants_.end());
+    if (!use_.of_time_only) near.insert(near.end(), channels_.begin() + 1, channels_.end());
+    std::string note;
+    if (use_.of_time_only) {
+      note = fmt::format("possible: {}", join_names(near));
+    } else {
+      note = fmt::format("constants are: {}; {}", constants_.empty() ? "none" : join_names(constants_),
+                         list_channels(name));
+    }
+    const auto& functions = list_formula_functions();
+    near.insert(near.end(), functions.begin(), functions.end());
+    const std::string suggestion = suggest(name, near);
+    notes.push_back(suggestion.empty() ? note : note + "   " + suggestion);
+    return notes;
+  }
+
+  /// The channels of the body, point or joint that the name begins with, or the first few of all.
+  [[nodiscard]] std::string list_channels(const std::string& name) const {
+    constexpr std::size_t kFew = 12;  // more do not help
+    const std::string owner = name.substr(0, name.find('.')) + ".";
+    std::vector<std::string> own;
+    for (const std::string& channel : channels_) {
+      if (channel.starts_with(owner)) own.push_back(channel);
+    }
+    std::vector<std::string> listed = own.empty() ? channels_ : own;
+    const bool cut = listed.size() > kFew;
+    if (cut) listed.resize(kFew);
+    return fmt::format("channels{} are: {}{}", own.empty() ? "" : " of '" + name.substr(0, name.find('.')) + "'",
+                       join_names(listed), cut ? ", …" : "");
+  }
+
+  CheckRules& rules_;
+  const FunctionUse& use_;
+  const Expression& expression_;
+  std::string path_;
+  std::vector<std::string> channels_;
+  std::vector<std::string> constants_;
+};
+
+}  // namespace
+
+bool check_expression(CheckRules& rules, const FunctionUse& use, const Expression& expression) {
+  return ExpressionCheck(rules, use, expression).check();
+}
+
+void check_function(CheckRules& rules, const FunctionUse& use, const Function& function) {
+  if (const auto* constant = std::get_if<double>(&function)) {
+    if (std::isfinite(*constant)) return;
+    rules.diagnostics.error("E-MODEL-005", use.path(),
+                            fmt::format("{} is {}; it must be finite", use.subject, *constant));
+  } else if (const auto* expression = std::get_if<Expression>(&function)) {
+    check_expression(rules, use, *expression);
+  } else {
+    check_curve(rules, use, std::get<SampledCurve>(function));
+  }
+}
+
+}  // namespace gudgeon
