@@ -22,6 +22,7 @@ struct Workspace {
         effort(tables.counts.n_driven(), 0.0),
         closure_gap(tables.closures.size()),
         closure_rate(tables.closures.size()),
+        bristles(tables.n_bristles, 0.0),
         contact_motions(tables.contact_points.rows().size()),
         contact_loads(tables.contact_points.rows().size()),
         contact_forces(tables.contacts.size()) {}
@@ -35,6 +36,7 @@ struct Workspace {
   std::vector<double> effort;      ///< torque or force of each driver [N m, N], positive along its coordinate
   std::vector<Vec2> closure_gap;   ///< φ [m] of each closure, (line, 0) for a line
   std::vector<Vec2> closure_rate;  ///< φ̇ [m/s]
+  std::vector<double> bristles;    ///< z [m], part of the state: to be set before an evaluation
   std::vector<PointChain::PointMotion> contact_motions;
   std::vector<Vec2> contact_loads;  ///< force on each chain row [N]
   std::vector<ContactForces> contact_forces;
