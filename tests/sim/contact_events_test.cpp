@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gudgeon/sim/dormand_prince.h"
 #include "gudgeon/sim/motion_equations.h"
 #include "tests/sim/flying_ball.h"
 

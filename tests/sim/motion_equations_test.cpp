@@ -34,7 +34,7 @@ struct Evaluated {
   }
 
   void eval() { equations.eval(0.0, y.data(), slope.data()); }
-  [[nodiscard]] double power(EnergyIntegral integral) const { return slope[2 * equations.n_free() + integral]; }
+  [[nodiscard]] double power(EnergyIntegral integral) const { return slope[equations.n_states() + integral]; }
   // Kinetic, potential and elastic energy.
   double find_energy() {
     BodyMotionFinder motion(system);

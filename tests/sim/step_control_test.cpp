@@ -34,7 +34,10 @@ Study make_study() {
 }
 
 // Two components, an angle and a rate, and one that is carried along.
-StepControl make_control() { return {make_study(), 1, 2, 1e-5}; }
+StepControl make_control() {
+  static const ErrorTolerance tolerance(make_study(), 1, 2);
+  return {tolerance, 1e-5};
+}
 
 TEST(StepControl, ProposesTheFirstStep) { EXPECT_EQ(make_control().next_step(), 1e-5); }
 

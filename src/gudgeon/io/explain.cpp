@@ -224,6 +224,7 @@ void write_study(const Study& study, TomlLines& out) {
   out.line("relative_tolerance", toml_number(study.relative_tolerance));
   out.line("absolute_tolerance", toml_number(study.absolute_tolerance));
   out.line("max_step", toml_quantity(study.max_step, dimension::kTime));
+  out.line("integrator", toml_text(choice_name<Integrator>(kIntegrators, study.integrator)));
   out.line("stabilization", toml_text(choice_name<Stabilization>(kStabilizations, study.stabilization)));
   out.line("baumgarte_alpha", toml_quantity(study.baumgarte_alpha, dimension::kPerTime));
   out.line("baumgarte_beta", toml_quantity(study.baumgarte_beta, dimension::kPerTime));

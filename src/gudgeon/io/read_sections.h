@@ -28,6 +28,10 @@ inline constexpr std::array<std::pair<std::string_view, Deposition>, 2> kDeposit
     {"spread", Deposition::spread},
     {"point", Deposition::point},
 }};
+inline constexpr std::array<std::pair<std::string_view, Integrator>, 2> kIntegrators{{
+    {"explicit", Integrator::explicit_pair},
+    {"stiff", Integrator::stiff},
+}};
 inline constexpr std::array<std::pair<std::string_view, Stabilization>, 2> kStabilizations{{
     {"projection", Stabilization::projection},
     {"baumgarte", Stabilization::baumgarte},

@@ -97,6 +97,7 @@ Study read_study(TableReader& root) {
     study.*field.member = value.value_or(study.*field.member);
   }
   table->update_choice<Deposition>("deposition", kDepositions, study.deposition);
+  table->update_choice<Integrator>("integrator", kIntegrators, study.integrator);
   table->update_choice<Stabilization>("stabilization", kStabilizations, study.stabilization);
   study.compare_ideal = table->find_switch("compare_ideal").value_or(study.compare_ideal);
   study.published = read_published(*table);

@@ -23,6 +23,12 @@ enum class Stabilization {
   baumgarte,   ///< closure errors fed back into the accelerations, as in the paper
 };
 
+/// How motions are integrated.
+enum class Integrator {
+  explicit_pair,  ///< Runge-Kutta pair of Dormand and Prince (default)
+  stiff,          ///< backward differentiation, for bristles and very stiff contacts
+};
+
 /// A value known from elsewhere, set beside ours in the summary: [[published]] of the model file.
 struct PublishedValue {
   std::string quantity;        ///< what it is, in words
@@ -45,6 +51,7 @@ struct Study {
   double relative_tolerance = 1e-7;  ///< [1] local error a step, of each coordinate and rate
   double absolute_tolerance = 1e-9;  ///< [rad, m, rad/s, m/s] local error a step near zero
   double max_step = 0.0;             ///< [s] largest step; 0 leaves it to the error control
+  Integrator integrator = Integrator::explicit_pair;
   Stabilization stabilization = Stabilization::projection;
   double baumgarte_alpha = 5.0;  ///< α [1/s]
   double baumgarte_beta = 5.0;   ///< β [1/s]

@@ -51,8 +51,7 @@ GapState ContactEvents::find_gap(std::size_t contact, const Workspace& workspace
   return {gap.eccentricity, dot(gap.normal, motion.velocity), fastest, gap.penetration, gap.penetration_rate};
 }
 
-GapState ContactEvents::find_gap_at(double share, std::size_t contact, const DormandPrince& step,
-                                    Workspace& workspace) {
+GapState ContactEvents::find_gap_at(double share, std::size_t contact, const DenseStep& step, Workspace& workspace) {
   const std::size_t n_free = interpolated_.size() / 2;
   step.interpolate(share, 2 * n_free, interpolated_.data());
   update_coordinates(*tables_, step.start_time() + share * step.step(), interpolated_.data(),
@@ -63,7 +62,7 @@ GapState ContactEvents::find_gap_at(double share, std::size_t contact, const Dor
 
 // First share in (0, limit] at which sign δ rises above zero; at the start it counts as not above.
 std::optional<double> ContactEvents::find_crossing(std::size_t contact, double sign, double limit, int n_parts,
-                                                   const DormandPrince& step, Workspace& workspace) {
+                                                   const DenseStep& step, Workspace& workspace) {
   const auto value = [&](double share) { return sign * find_gap_at(share, contact, step, workspace).penetration; };
   const auto rate = [&](double share) { return sign * find_gap_at(share, contact, step, workspace).penetration_rate; };
   const auto refine = [](auto&& f, double a, double fa, double b, double fb) {
@@ -107,7 +106,10 @@ int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, c
     return may_rise_above(value_a, slope_a, value_b, slope_b, margin);
   };
   if (in_contact) {
-    const bool opens = end.penetration < 0.0;
+    // A contact begins with its surfaces a hair apart; a very short step may not close them yet.
+    const bool enters = start.penetration <= 0.0 && start.penetration_rate > 0.0 && end.penetration_rate > 0.0 &&
+                        end.penetration - start.penetration > 0.5 * h * start.penetration_rate;
+    const bool opens = end.penetration < 0.0 && !enters;
     const bool may_open =
         may_rise(-start.penetration, -start.penetration_rate, -end.penetration, -end.penetration_rate);
     return opens || (may_open && start.penetration_rate < 0.0 && end.penetration_rate > 0.0) ? kParts : 0;
@@ -131,7 +133,7 @@ int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, c
   return std::max(kParts, static_cast<int>(std::min(kPartsPerRegion * passed, 1e5)));
 }
 
-std::optional<ContactChange> ContactEvents::find_first_change(const DormandPrince& step,
+std::optional<ContactChange> ContactEvents::find_first_change(const DenseStep& step,
                                                               std::span<const ContactLatch> latches,
                                                               const std::vector<GapState>& start,
                                                               const std::vector<GapState>& end, Workspace& workspace) {

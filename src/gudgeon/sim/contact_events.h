@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "gudgeon/sim/dormand_prince.h"
+#include "gudgeon/sim/dense_step.h"
 #include "gudgeon/system/dynamics.h"
 
 namespace gudgeon {
@@ -39,15 +39,15 @@ class ContactEvents {
   /// The earliest change of any contact between start and end of the attempted step: a gap that closes in free flight,
   /// or a contact that opens. Also finds those that begin and end inside the step. start and end are the gaps at the
   /// step's ends. Uses the workspace for interpolated states.
-  std::optional<ContactChange> find_first_change(const DormandPrince& step, std::span<const ContactLatch> latches,
+  std::optional<ContactChange> find_first_change(const DenseStep& step, std::span<const ContactLatch> latches,
                                                  const std::vector<GapState>& start, const std::vector<GapState>& end,
                                                  Workspace& workspace);
 
  private:
   GapState find_gap(std::size_t contact, const Workspace& workspace) const noexcept;
-  GapState find_gap_at(double share, std::size_t contact, const DormandPrince& step, Workspace& workspace);
+  GapState find_gap_at(double share, std::size_t contact, const DenseStep& step, Workspace& workspace);
   std::optional<double> find_crossing(std::size_t contact, double sign, double limit, int n_parts,
-                                      const DormandPrince& step, Workspace& workspace);
+                                      const DenseStep& step, Workspace& workspace);
   int count_parts(std::size_t contact, bool in_contact, double h, const GapState& start, const GapState& end) const;
 
   const Tables* tables_;

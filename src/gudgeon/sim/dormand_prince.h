@@ -8,12 +8,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "gudgeon/sim/dense_step.h"
+
 namespace gudgeon {
 
 /// One step at a time; who decides on its length sees the error estimate first. The last stage of a step is the first
 /// of the next. Dormand & Prince 1980; dense output of Hairer, Nørsett & Wanner 1993, II.6. Allocates nothing after
 /// construction.
-class DormandPrince {
+class DormandPrince final : public DenseStep {
  public:
   static constexpr int kStages = 7;
   /// When, in shares of the step, the stages are taken, and the weights of the fifth-order solution: a quantity that
@@ -53,16 +55,14 @@ class DormandPrince {
     }
   }
 
-  [[nodiscard]] double start_time() const { return time_; }
-  [[nodiscard]] double step() const { return h_; }
   [[nodiscard]] const std::vector<double>& start() const { return start_; }
   [[nodiscard]] const std::vector<double>& end() const { return end_; }
   [[nodiscard]] const std::vector<double>& end_slope() const { return slopes_[kStages - 1]; }
   /// Estimated local error of each component over the last attempt.
   [[nodiscard]] const std::vector<double>& error() const { return error_; }
 
-  /// The solution at a share in [0, 1] of the last attempt, its first n_wanted components.
-  void interpolate(double share, std::size_t n_wanted, double* y) const noexcept {
+  /// Within the last attempt.
+  void interpolate(double share, std::size_t n_wanted, double* y) const noexcept override {
     const double rest = 1.0 - share;
     for (std::size_t i = 0; i < n_wanted; ++i) {
       const double difference = end_[i] - start_[i];
@@ -94,8 +94,6 @@ class DormandPrince {
       69997945.0 / 29380423.0};
 
   std::size_t n_;
-  double time_ = 0.0;
-  double h_ = 0.0;
   std::vector<double> start_;
   std::vector<double> end_;
   std::vector<double> error_;

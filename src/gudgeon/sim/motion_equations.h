@@ -4,6 +4,7 @@
 // The ordinary differential equations that the integrator sees: coordinates, rates, and integrals carried along.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -12,7 +13,7 @@
 
 namespace gudgeon {
 
-/// The integrals of power [J] that stand behind coordinates and rates in the integrator's vector.
+/// The integrals of power [J] that stand behind coordinates, rates and bristles in the integrator's vector.
 enum EnergyIntegral : int {
   kDriverWork,
   kLoadWork,
@@ -39,7 +40,7 @@ struct ContactSample {
   double journal_depth = 0.0;
 };
 
-/// y = [q | v | energy integrals] and ẏ. Holds the latches and the workspace of one run.
+/// y = [q | v | bristles | energy integrals] and ẏ. Holds the latches and the workspace of one run.
 class MotionEquations {
  public:
   MotionEquations(const System& system, Feedback feedback)
@@ -47,21 +48,46 @@ class MotionEquations {
         workspace(system.tables),
         tables_(&system.tables),
         n_free_(static_cast<std::size_t>(system.tables.counts.n_free())),
+        n_bristles_(static_cast<std::size_t>(system.tables.n_bristles)),
         feedback_(feedback) {}
 
   [[nodiscard]] std::size_t n_free() const { return n_free_; }
   [[nodiscard]] Feedback feedback() const { return feedback_; }
-  [[nodiscard]] std::size_t size() const { return 2 * n_free_ + kEnergyIntegrals; }
+  /// Coordinates, rates and bristles: what the motion depends on; the integrals begin behind them.
+  [[nodiscard]] std::size_t n_states() const { return 2 * n_free_ + n_bristles_; }
+  [[nodiscard]] std::size_t size() const { return n_states() + kEnergyIntegrals; }
+  /// Where the deflection of a contact's bristle is in y; the contact must have one.
+  [[nodiscard]] std::size_t bristle_at(std::size_t contact) const {
+    return 2 * n_free_ + static_cast<std::size_t>(tables_->contacts[contact].bristle);
+  }
 
   void eval(double t, const double* y, double* slope) noexcept {
     const double* q = y;
     const double* v = y + n_free_;
+    load_bristles(y, workspace);
     eval_dynamics(*tables_, t, q, v, latches, feedback_, workspace);
     for (std::size_t i = 0; i < n_free_; ++i) {
       slope[i] = v[i];
       slope[n_free_ + i] = workspace.equations[i];
     }
-    double* power = slope + 2 * n_free_;
+    for (std::size_t k = 0; n_bristles_ > 0 && k < workspace.contact_forces.size(); ++k) {
+      if (tables_->contacts[k].bristle >= 0) slope[bristle_at(k)] = workspace.contact_forces[k].bristle_rate;
+    }
+    eval_powers(slope + n_states());
+  }
+
+  /// What a look at the gaps needs of y.
+  void update_coordinates(double t, const double* y) noexcept {
+    gudgeon::update_coordinates(*tables_, t, y, y + n_free_, workspace.coordinates);
+  }
+
+  /// Sets the bristles of any workspace from y.
+  void load_bristles(const double* y, Workspace& target) const noexcept {
+    std::copy_n(y + 2 * n_free_, n_bristles_, target.bristles.begin());
+  }
+
+  /// The rates of the energy integrals, from the last evaluation.
+  void eval_powers(double* power) const noexcept {
     power[kDriverWork] = find_driver_power(workspace);
     power[kLoadWork] = workspace.loads.work_power;
     power[kDamperLoss] = workspace.loads.damper_power;
@@ -73,7 +99,8 @@ class MotionEquations {
     }
     const double potential = find_load_power(*tables_, workspace.coordinates) - workspace.loads.storing_power;
     power[kExchanged] = std::abs(power[kDriverWork]) + std::abs(potential) + std::abs(power[kLoadWork]) +
-                        power[kDamperLoss] + std::abs(power[kContactDamping]) + power[kFrictionLoss];
+                        power[kDamperLoss] + std::abs(power[kContactDamping]) +
+                        std::abs(power[kFrictionLoss]);
   }
 
   /// The last evaluation's contact, as wear sees it.
@@ -99,6 +126,7 @@ class MotionEquations {
  private:
   const Tables* tables_;
   std::size_t n_free_;
+  std::size_t n_bristles_;
   Feedback feedback_;
 };
 

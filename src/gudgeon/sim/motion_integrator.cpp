@@ -8,6 +8,9 @@
 #include <cmath>
 #include <utility>
 
+#include "gudgeon/sim/explicit_stepper.h"
+#include "gudgeon/sim/stiff_stepper.h"
+
 namespace gudgeon {
 
 namespace {
@@ -23,6 +26,14 @@ constexpr double kLargestStepShare = 0.02;
 // The first step is this share of a cycle; the error control finds the right one within a few.
 constexpr double kFirstStepShare = 1e-5;
 
+std::vector<double> list_bristle_scales(const Tables& tables) {
+  std::vector<double> scales;
+  for (const Contact& contact : tables.contacts) {
+    if (contact.bristle >= 0) scales.push_back(contact.bristle_scale);
+  }
+  return scales;
+}
+
 }  // namespace
 
 MotionIntegrator::MotionIntegrator(const System& system, const Study& study, double cycle_time)
@@ -33,9 +44,8 @@ MotionIntegrator::MotionIntegrator(const System& system, const Study& study, dou
       equations_(system, study.stabilization == Stabilization::baumgarte
                              ? Feedback{study.baumgarte_alpha, study.baumgarte_beta}
                              : Feedback{}),
-      stepper_(equations_.size()),
-      control_(study, static_cast<std::size_t>(system.tables.counts.n_free_turns), 2 * equations_.n_free(),
-               kFirstStepShare * cycle_time),
+      tolerance_(study, static_cast<std::size_t>(system.tables.counts.n_free_turns), 2 * equations_.n_free(),
+                 list_bristle_scales(system.tables)),
       projection_(system.tables, kProjectionShare * study.absolute_tolerance),
       passage_(equations_.size(), study.absolute_tolerance + study.relative_tolerance),
       events_(system.tables),
@@ -43,8 +53,15 @@ MotionIntegrator::MotionIntegrator(const System& system, const Study& study, dou
       y_(equations_.size(), 0.0),
       slope_(equations_.size(), 0.0),
       gaps_(system.tables.contacts.size()),
-      end_gaps_(system.tables.contacts.size()),
-      samples_(DormandPrince::kStages, std::vector<ContactSample>(system.tables.contacts.size())) {}
+      end_gaps_(system.tables.contacts.size()) {
+  if (study.integrator == Integrator::stiff) {
+    const bool projects = study.stabilization == Stabilization::projection && !system.tables.closures.empty();
+    stepper_ = std::make_unique<StiffStepper>(equations_, statistics_, tolerance_, projects ? &projection_ : nullptr,
+                                              longest_step_);
+  } else {
+    stepper_ = std::make_unique<ExplicitStepper>(equations_, statistics_, tolerance_, kFirstStepShare * cycle_time);
+  }
+}
 
 bool MotionIntegrator::begin(const State& start) {
   std::ranges::copy(start.q, y_.begin());
@@ -63,13 +80,11 @@ void MotionIntegrator::evaluate_again() {
 bool MotionIntegrator::advance(double milestone) {
   if (changing_contact_) turn_latch(*std::exchange(changing_contact_, std::nullopt));
   if (pass_singular_position(milestone)) return true;
-  double h = std::min({control_.next_step(), longest_step_, passage_.find_longest_step()});
-  const double left = milestone - time_;
-  if (h >= left * (1.0 - 1e-12)) h = left;  // no sliver of a step before a milestone
-  while (!attempt_step(h)) {
+  const double longest = std::min(longest_step_, passage_.find_longest_step());
+  stepper_->begin(time_, y_, slope_, std::exchange(continues_, true));
+  while (!attempt_step(longest, milestone - time_)) {
     ++statistics_.rejected_steps;
-    h = std::min(h, control_.next_step());
-    if (h < kSmallestStep) return false;
+    if (stepper_->next_step() < kSmallestStep) return false;
   }
   accept(milestone);
   return true;
@@ -84,49 +99,38 @@ bool MotionIntegrator::pass_singular_position(double milestone) {
   time_ = *far_side;
   last_step_ = 0.0;
   strode_ = true;
+  continues_ = false;
   evaluate_again();
   settle();
   passage_.forget();
   return true;
 }
 
-// Tries h and, when a contact changes within it, the part up to the change.
-bool MotionIntegrator::attempt_step(double h) {
-  attempt(h);
-  if (!control_.accepts(stepper_)) return false;
+// Tries a step and, when a contact changes within it, the part up to the change.
+bool MotionIntegrator::attempt_step(double longest, double left) {
+  if (!stepper_->attempt(longest, left)) return false;
   events_.find_gaps(equations_.workspace, end_gaps_);
-  const auto change = events_.find_first_change(stepper_, equations_.latches, gaps_, end_gaps_, scratch_);
+  const auto change = events_.find_first_change(stepper_->dense(), equations_.latches, gaps_, end_gaps_, scratch_);
   if (!change || land_on_change(*change)) return true;
-  control_.shorten(h);
+  stepper_->shorten();
   return false;
 }
 
-void MotionIntegrator::attempt(double h) {
-  stepper_.begin(time_, y_, slope_);
-  stepper_.attempt(h, [&](int stage, double t, const double* y, double* slope) {
-    equations_.eval(t, y, slope);
-    for (std::size_t k = 0; k < gaps_.size(); ++k) {
-      if (equations_.latches[k].in_contact) samples_[stage][k] = equations_.find_sample(k);
-    }
-  });
-  statistics_.evaluations += DormandPrince::kStages - 1;
-}
-
-// Steps again so as to end just on the near side of an onset, or just past a separation: within kOnsetTime of the
-// change and with the gap open in both cases. Newton's method on the step's length, kept inside a bracket. A change
+// Ends the step again so as to end just on the near side of an onset, or just past a separation: within kOnsetTime of
+// the change and with the gap open in both cases. Newton's method on the step's length, kept inside a bracket. A change
 // that only dense output has seen, as where surfaces graze, is none: the step then ends where it was thought to be.
 // False when the step was so long that the gap is past the change from its first moment on, going the other way.
 bool MotionIntegrator::land_on_change(const ContactChange& change) {
   const std::size_t k = change.contact;
   const double sign = equations_.latches[k].in_contact ? -1.0 : 1.0;
-  const double whole = stepper_.step();
+  const double whole = stepper_->dense().step();
   const double expected = std::clamp(change.share, 0.0, 1.0) * whole;
   double before = 0.0;
   double after = whole;
   bool passed = sign * end_gaps_[k].penetration > 0.0;
   double h = expected;
   for (int pass = 0; pass < kMostLandings; ++pass) {
-    attempt(h);
+    stepper_->end_at(h);
     events_.find_gaps(equations_.workspace, end_gaps_);
     const double penetration = end_gaps_[k].penetration;
     const double rate = end_gaps_[k].penetration_rate;
@@ -145,11 +149,11 @@ bool MotionIntegrator::land_on_change(const ContactChange& change) {
     h = newton > before && newton < after ? newton : 0.5 * (before + after);
   }
   if (passed) {
-    if (stepper_.step() <= kSmallestStep && sign * end_gaps_[k].penetration_rate < 0.0) return false;
+    if (stepper_->dense().step() <= kSmallestStep && sign * end_gaps_[k].penetration_rate < 0.0) return false;
     changing_contact_ = k;
     return true;
   }
-  attempt(expected > kSmallestStep ? expected : whole);
+  stepper_->end_at(expected > kSmallestStep ? expected : whole);
   events_.find_gaps(equations_.workspace, end_gaps_);
   return true;
 }
@@ -157,46 +161,50 @@ bool MotionIntegrator::land_on_change(const ContactChange& change) {
 void MotionIntegrator::turn_latch(std::size_t k) {
   ContactLatch& latch = equations_.latches[k];
   passage_.forget();
+  continues_ = false;
+  const bool has_bristle = system_.tables.contacts[k].bristle >= 0;
   if (latch.in_contact) {
     latch = {};
-    for (auto& stage : samples_) stage[k] = {};
+    stepper_->forget_samples(k);
+    if (has_bristle) y_[equations_.bristle_at(k)] = 0.0;
     ++statistics_.separations;
-    return;
+  } else {
+    latch = {true, gaps_[k].penetration_rate};
+    stepper_->note_onset();
+    ++statistics_.onsets;
   }
-  latch = {true, gaps_[k].penetration_rate};
-  control_.note_onset();
-  ++statistics_.onsets;
+  // Forces are zero on both sides of the change; a bristle's rate is not.
+  if (has_bristle) evaluate_again();
 }
 
 void MotionIntegrator::accept(double milestone) {
-  const double h = stepper_.step();
-  const double end_time = stepper_.start_time() + h;
+  stepper_->accept();
+  const double h = stepper_->dense().step();
+  const double end_time = stepper_->dense().start_time() + h;
   ++statistics_.accepted_steps;
   // Two contacts may change at one instant, with no time between.
   if (h > 0.0) {
     statistics_.smallest_step = statistics_.smallest_step > 0.0 ? std::min(statistics_.smallest_step, h) : h;
   }
   statistics_.largest_step = std::max(statistics_.largest_step, h);
-  control_.note_step(h);
 
   time_ = std::abs(end_time - milestone) <= 1e-12 * milestone ? milestone : end_time;
   last_step_ = h;
-  y_ = stepper_.end();
-  slope_ = stepper_.end_slope();
+  y_ = stepper_->end();
+  slope_ = stepper_->end_slope();
   strode_ = false;
   // Gaps at a change of contact are where they have to be: its closures wait for the next step.
   if (!changing_contact_ && settle() > 0) events_.find_gaps(equations_.workspace, end_gaps_);
   std::swap(gaps_, end_gaps_);
-  for (std::size_t k = 0; k < gaps_.size(); ++k) {
-    if (equations_.latches[k].in_contact) samples_.front()[k] = samples_.back()[k];
+  if (!stepper_->projects_closures()) {
+    passage_.note(time_, y_, slope_, find_singular_closeness(system_.tables, equations_.workspace));
   }
-  passage_.note(time_, y_, slope_, find_singular_closeness(system_.tables, equations_.workspace));
 }
 
 // Closes the loops of the accepted state; returns how often it was corrected.
 int MotionIntegrator::settle() {
   statistics_.closure_residual = std::max(statistics_.closure_residual, find_largest(equations_.workspace.closure_gap));
-  if (study_.stabilization == Stabilization::baumgarte) return 0;
+  if (study_.stabilization == Stabilization::baumgarte || stepper_->projects_closures()) return 0;
   const int n_corrections = projection_.project(time_, y_, slope_, equations_);
   statistics_.projections += n_corrections;
   statistics_.evaluations += n_corrections;
@@ -212,8 +220,8 @@ void MotionIntegrator::interpolate(double time, std::vector<double>& y) const {
     y = y_;
     return;
   }
-  const double share = (time - stepper_.start_time()) / last_step_;
-  stepper_.interpolate(std::clamp(share, 0.0, 1.0), y.size(), y.data());
+  const double share = (time - stepper_->dense().start_time()) / last_step_;
+  stepper_->dense().interpolate(std::clamp(share, 0.0, 1.0), y.size(), y.data());
 }
 
 }  // namespace gudgeon

@@ -4,6 +4,7 @@
 // From one accepted step to the next.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,15 +12,12 @@
 #include "gudgeon/results/run_record.h"
 #include "gudgeon/sim/closure_projection.h"
 #include "gudgeon/sim/contact_events.h"
-#include "gudgeon/sim/dormand_prince.h"
+#include "gudgeon/sim/error_tolerance.h"
 #include "gudgeon/sim/motion_equations.h"
 #include "gudgeon/sim/singular_passage.h"
-#include "gudgeon/sim/step_control.h"
+#include "gudgeon/sim/stepper.h"
 
 namespace gudgeon {
-
-/// A step below this [s] means that a run cannot go on.
-inline constexpr double kSmallestStep = 1e-12;
 
 /// Advances one motion. Steps are controlled by their local error; a contact's change ends its step, an onset being
 /// located to 1e-10 s, just before the surfaces touch, and its speed latched; loop closures are projected when they
@@ -45,9 +43,12 @@ class MotionIntegrator {
   /// Length of the last step [s]; zero after a stride over a singular position, which has no stages, and between two
   /// contacts that change at one instant.
   [[nodiscard]] double last_step() const { return last_step_; }
+  /// Stages of a step at which contacts are sampled, and their weights [1] in an integral over it.
+  [[nodiscard]] int n_stages() const { return static_cast<int>(stepper_->weights().size()); }
+  [[nodiscard]] double find_weight(int stage) const { return stepper_->weights()[stage]; }
   /// What a contact was like at a stage of the last step; without force where it was open.
   [[nodiscard]] const ContactSample& find_sample(int stage, std::size_t contact) const {
-    return samples_[stage][contact];
+    return stepper_->find_sample(stage, contact);
   }
   /// The contact that changes at the end of the step. Its latch is turned when the next step begins.
   [[nodiscard]] std::optional<std::size_t> changing_contact() const { return changing_contact_; }
@@ -59,8 +60,7 @@ class MotionIntegrator {
 
  private:
   bool pass_singular_position(double milestone);
-  bool attempt_step(double h);
-  void attempt(double h);
+  bool attempt_step(double longest, double left);
   bool land_on_change(const ContactChange& change);
   void turn_latch(std::size_t contact);
   void accept(double milestone);
@@ -70,22 +70,22 @@ class MotionIntegrator {
   const Study& study_;
   double longest_step_;  // [s]
   MotionEquations equations_;
-  DormandPrince stepper_;
-  StepControl control_;
+  ErrorTolerance tolerance_;
   ClosureProjection projection_;
   SingularPassage passage_;
   ContactEvents events_;
   Workspace scratch_;
   SolverStatistics statistics_;
+  std::unique_ptr<Stepper> stepper_;
 
   double time_ = 0.0;
   double last_step_ = 0.0;
-  bool strode_ = false;  // over a singular position, in the last step
+  bool strode_ = false;     // over a singular position, in the last step
+  bool continues_ = false;  // the next step follows on the last one, with neither state nor latches changed
   std::vector<double> y_;
   std::vector<double> slope_;
-  std::vector<GapState> gaps_;                       // at the last accepted state
-  std::vector<GapState> end_gaps_;                   // at the end of an attempt
-  std::vector<std::vector<ContactSample>> samples_;  // samples_[stage][contact]
+  std::vector<GapState> gaps_;      // at the last accepted state
+  std::vector<GapState> end_gaps_;  // at the end of an attempt
   std::optional<std::size_t> changing_contact_;
 };
 

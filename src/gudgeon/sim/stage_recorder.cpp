@@ -77,6 +77,7 @@ void StageRecorder::add_clearance_channels() {
     add(name + ".normal_force", "F", "N", "Normal contact force", true);
     add(name + ".friction_force", "μF", "N", "Friction force, of the slip speed's sign", true);
     add(name + ".slip_speed", "v", "m/s", "Slip of the journal's surface along the bearing's, in contact", true);
+    if (contact.bristle >= 0) add(name + ".bristle", "z", "m", "Deflection of the bristle; zero in free flight");
   }
 }
 
@@ -149,6 +150,7 @@ void StageRecorder::fill_clearances(const Workspace& workspace, std::span<const 
     put(std::remainder(std::atan2(gap.normal.y, gap.normal.x) - motion.bearing_angle, 2.0 * std::numbers::pi));
     put(latches[k].in_contact ? 1.0 : 0.0);
     put(gap.penetration), put(forces.normal_force), put(forces.friction_force), put(forces.slip_speed);
+    if (contact.bristle >= 0) put(workspace.bristles[contact.bristle]);
   }
 }
 

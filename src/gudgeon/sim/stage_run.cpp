@@ -99,8 +99,8 @@ void StageRun::deposit_wear() {
   const double h = motion_.last_step();
   for (std::size_t k = 0; k < wear_.size(); ++k) {
     bool touched = false;
-    for (int stage = 0; stage < DormandPrince::kStages; ++stage) {
-      const double weight = DormandPrince::kWeights[stage] * h;
+    for (int stage = 0; stage < motion_.n_stages(); ++stage) {
+      const double weight = motion_.find_weight(stage) * h;
       const ContactSample& sample = motion_.find_sample(stage, k);
       if (weight == 0.0 || sample.normal_force == 0.0) continue;
       wear_[k].add(sample, weight);
@@ -136,8 +136,9 @@ void StageRun::sample_until(double time) {
       motion_.interpolate(at, interpolated_);
     }
     const double* y = interpolated_.data();
+    equations.load_bristles(y, scratch_);
     eval_dynamics(system_.tables, at, y, y + equations.n_free(), equations.latches, equations.feedback(), scratch_);
-    recorder_.sample(at, scratch_, equations.latches, initial_energies_.total(), y + 2 * equations.n_free());
+    recorder_.sample(at, scratch_, equations.latches, initial_energies_.total(), y + equations.n_states());
   }
 }
 
@@ -190,7 +191,7 @@ void StageRun::finish() {
   // A failed attempt may have left anything in the workspace: evaluate the last accepted state again.
   motion_.evaluate_again();
   const StageRecorder::Energies energies = recorder_.find_energies(motion_.equations().workspace);
-  const double* integrals = motion_.y().data() + 2 * motion_.equations().n_free();
+  const double* integrals = motion_.y().data() + motion_.equations().n_states();
   EnergyLedger& ledger = record_.ledger;
   ledger.initial_energy = initial_energies_.total();
   ledger.kinetic = energies.kinetic;

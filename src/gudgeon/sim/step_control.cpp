@@ -23,25 +23,21 @@ constexpr double kLeastLastError = 1e-4;
 
 }  // namespace
 
-StepControl::StepControl(const Study& study, std::size_t n_turns, std::size_t n_controlled, double first_step)
-    : absolute_tolerance_(study.absolute_tolerance),
-      relative_tolerance_(study.relative_tolerance),
-      n_turns_(n_turns),
-      n_controlled_(n_controlled),
-      next_(first_step) {}
+StepControl::StepControl(const ErrorTolerance& tolerance, double first_step)
+    : tolerance_(&tolerance), next_(first_step) {}
 
 // Root mean square of the local errors against their tolerances; not finite when anything is not.
 double StepControl::find_error(const DormandPrince& stepper) const {
+  const std::size_t n_controlled = tolerance_->n_controlled();
   double sum = 0.0;
   for (std::size_t i = 0; i < stepper.end().size(); ++i) {
     sum += 0.0 * stepper.end()[i];  // an infinite component would make its own tolerance infinite
-    if (i >= n_controlled_) continue;
-    double size = std::max(std::abs(stepper.start()[i]), std::abs(stepper.end()[i]));
-    if (i < n_turns_) size = std::min(size, 1.0);  // an angle's error does not become harmless after many turns
-    const double ratio = stepper.error()[i] / (absolute_tolerance_ + relative_tolerance_ * size);
+    if (i >= n_controlled) continue;
+    const double size = std::max(std::abs(stepper.start()[i]), std::abs(stepper.end()[i]));
+    const double ratio = stepper.error()[i] / tolerance_->find(i, size);
     sum += ratio * ratio;
   }
-  const auto count = static_cast<double>(std::max<std::size_t>(n_controlled_, 1));
+  const auto count = static_cast<double>(std::max<std::size_t>(n_controlled, 1));
   return std::max(std::sqrt(sum / count), kLeastError);
 }
 

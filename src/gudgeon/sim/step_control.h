@@ -6,17 +6,16 @@
 
 #include <cstddef>
 
-#include "gudgeon/model/study.h"
 #include "gudgeon/sim/dormand_prince.h"
+#include "gudgeon/sim/error_tolerance.h"
 
 namespace gudgeon {
 
 /// Proportional-integral control of the step by its local error, Hairer & Wanner 1996, IV.2.
 class StepControl {
  public:
-  /// The first n_turns components are angles, the next up to n_controlled other coordinates and rates; what follows
-  /// them is carried along without a tolerance.
-  StepControl(const Study& study, std::size_t n_turns, std::size_t n_controlled, double first_step);
+  /// What follows the components that have a tolerance is carried along without one. Holds on to the tolerance.
+  StepControl(const ErrorTolerance& tolerance, double first_step);
 
   /// Length proposed for the next attempt [s].
   [[nodiscard]] double next_step() const { return next_; }
@@ -36,10 +35,7 @@ class StepControl {
  private:
   [[nodiscard]] double find_error(const DormandPrince& stepper) const;
 
-  double absolute_tolerance_;
-  double relative_tolerance_;
-  std::size_t n_turns_;
-  std::size_t n_controlled_;
+  const ErrorTolerance* tolerance_;
   double next_;
   double last_error_ = 1.0;
   double step_after_onset_ = 0.0;

@@ -212,6 +212,8 @@ class TableCompiler {
     contact.width = joint.width;
     contact.normal_force = joint.contact.normal_force;
     contact.friction = joint.contact.friction;
+    if (has_bristle(contact.friction)) contact.bristle = tables_.n_bristles++;
+    contact.bristle_scale = find_bristle_scale(contact.friction);
     contact.bearing_wear = joint.contact.bearing_wear;
     contact.journal_wear = joint.contact.journal_wear;
     contact.onset_speed_floor = joint.contact.onset_speed_floor;

@@ -11,8 +11,37 @@
 
 namespace gudgeon {
 
+namespace {
+
+double find_slip_speed(const RevoluteGap& gap, const RelativeMotion& motion) noexcept {
+  return dot(perp(gap.normal), motion.velocity) + motion.journal_rate * gap.journal_lever -
+         motion.bearing_rate * gap.bearing_lever;
+}
+
+Friction find_friction(const Contact& contact, double slip_speed, double bristle) noexcept {
+  return std::visit([&](const auto& law) { return law(FrictionContact{slip_speed, bristle}); }, contact.friction);
+}
+
+}  // namespace
+
 double find_stiffness_factor(const Material& bearing, const Material& journal) {
   return 4.0 / 3.0 * find_contact_modulus(bearing, journal);
+}
+
+bool has_bristle(const AnyFriction& friction) {
+  return std::visit([]<class Law>(const Law&) { return Law::kHasBristle; }, friction);
+}
+
+double find_bristle_scale(const AnyFriction& friction) {
+  if (!has_bristle(friction)) return 0.0;
+  // Far below any bristle's deflection, where ż = v − a z for every law.
+  constexpr double kDeflection = 1e-12;
+  const double rate = std::visit(
+      [](const auto& law) {
+        return law(FrictionContact{1.0, kDeflection}).bristle_rate;
+      },
+      friction);
+  return kDeflection / (1.0 - rate);
 }
 
 double find_contact_modulus(const Material& bearing, const Material& journal) {
@@ -35,7 +64,13 @@ ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& 
   ContactForces forces;
   forces.gap = find_revolute_gap(contact.surfaces, motion);
   const RevoluteGap& gap = forces.gap;
-  if (!latch.in_contact || gap.penetration <= 0.0) return forces;  // NaN goes on, to be seen
+  if (!latch.in_contact) return forces;
+  if (gap.penetration <= 0.0) {  // NaN goes on, to be seen
+    if (contact.bristle >= 0) {
+      forces.bristle_rate = find_friction(contact, find_slip_speed(gap, motion), bristle).bristle_rate;
+    }
+    return forces;
+  }
 
   // Along the normal.
   const NormalContact kinematics{gap.penetration,
@@ -54,13 +89,8 @@ ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& 
 
   // Along the slip, at the middle of the overlap.
   const Vec2 tangent = perp(gap.normal);
-  forces.slip_speed =
-      dot(tangent, motion.velocity) + motion.journal_rate * gap.journal_lever - motion.bearing_rate * gap.bearing_lever;
-  const Friction friction = std::visit(
-      [&](const auto& law) {
-        return law(FrictionContact{forces.slip_speed, bristle});
-      },
-      contact.friction);
+  forces.slip_speed = find_slip_speed(gap, motion);
+  const Friction friction = find_friction(contact, forces.slip_speed, bristle);
   forces.friction_force = friction.coefficient * normal.force;
   forces.bristle_rate = friction.bristle_rate;
   forces.friction_power = forces.friction_force * forces.slip_speed;

@@ -28,6 +28,8 @@ struct Contact {
   double width = 0.0;             ///< w [m]
   AnyNormalForce normal_force;
   AnyFriction friction;
+  int bristle = -1;            ///< index of the bristle's deflection in the state, -1 without one
+  double bristle_scale = 0.0;  ///< [m] deflection at which the bristle slips
   AnyWear bearing_wear;
   AnyWear journal_wear;
   double onset_speed_floor = 0.0;  ///< [m/s]
@@ -42,7 +44,9 @@ struct ContactLatch {
   double onset_speed = 0.0;  ///< δ̇₀ [m/s]
 };
 
-/// Gap, forces and powers of one contact at one instant; all zero but the gap in free flight.
+/// Gap, forces and powers of one contact at one instant; all zero but the gap in free flight. Where the
+/// surfaces of a latched contact stand a hair apart, before they touch or once they part, its bristle has its rate
+/// already, or still: the rate does not jump as the force begins or ends.
 struct ContactForces {
   RevoluteGap gap;
   double slip_speed = 0.0;         ///< v [m/s] of the journal's surface relative to the bearing's, along perp(n)
@@ -68,6 +72,11 @@ RelativeMotion find_contact_motion(const Contact& contact, const struct Coordina
 /// to (16) of the paper.
 ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
                                   double bristle = 0.0) noexcept;
+
+/// Whether a friction law has a bristle.
+bool has_bristle(const AnyFriction& friction);
+/// [m] the deflection at which a law's bristle slips, v z/(v − ż) at 1 m/s; zero without a bristle.
+double find_bristle_scale(const AnyFriction& friction);
 
 /// 4/(3π(σ_i + σ_j)) [Pa]: what eq. (8) multiplies the radii's root with.
 double find_stiffness_factor(const Material& bearing, const Material& journal);

@@ -27,8 +27,9 @@ void update_point_motions(const Tables& tables, Workspace& workspace) noexcept;
 /// The state of one contact's gap; needs update_point_motions.
 RelativeMotion find_contact_motion(const Contact& contact, const Workspace& workspace) noexcept;
 
-/// Solves [H Jᵀ; J 0] [q̈; −λ] = [Q; γ] for the state (t, q, v) with the given latches, one a contact.
-/// Writes all of the workspace; the accelerations are workspace.equations[0 … n_free). No allocation, no exception.
+/// Solves [H Jᵀ; J 0] [q̈; −λ] = [Q; γ] for the state (t, q, v, workspace.bristles) with the given latches, one a
+/// contact. Writes all of the workspace; the accelerations are workspace.equations[0 … n_free). No allocation, no
+/// exception.
 void eval_dynamics(const Tables& tables, double t, const double* q, const double* v,
                    std::span<const ContactLatch> latches, Feedback feedback, Workspace& workspace) noexcept;
 

@@ -79,7 +79,8 @@ void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, W
   for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
     if (!latches[k].in_contact) continue;
     const Contact& contact = tables.contacts[k];
-    const ContactForces forces = find_contact_forces(contact, find_contact_motion(contact, ws), latches[k]);
+    const double bristle = contact.bristle < 0 ? 0.0 : ws.bristles[contact.bristle];
+    const ContactForces forces = find_contact_forces(contact, find_contact_motion(contact, ws), latches[k], bristle);
     ws.point_loads[contact.journal_row] += forces.force_on_journal;
     ws.point_loads[contact.bearing_row] -= forces.force_on_journal;
     ws.equations[contact.journal_index] += forces.torque_on_journal;

@@ -104,10 +104,11 @@ struct Coupling {
 
 struct Tables {
   CoordinateCounts counts;
-  int n_rows = 0;     ///< active closure rows
-  int n_solve = 0;    ///< unknowns and active rows
-  int n_indices = 0;  ///< all equations and the bin
-  int n_slots = 0;    ///< all matrix entries and the bin
+  int n_rows = 0;      ///< active closure rows
+  int n_solve = 0;     ///< unknowns and active rows
+  int n_indices = 0;   ///< all equations and the bin
+  int n_slots = 0;     ///< all matrix entries and the bin
+  int n_bristles = 0;  ///< contacts whose friction law has one
 
   std::vector<double> constant_values;  ///< matrix entries that never change; zeros elsewhere
   std::vector<TurnPair> turn_pairs;

@@ -22,6 +22,7 @@ struct Workspace {
         effort(tables.driven.size(), 0.0),
         closure_gap(tables.closures.size()),
         closure_rate(tables.closures.size()),
+        bristles(tables.n_bristles, 0.0),
         point_motions(tables.points.rows().size()),
         point_loads(tables.points.rows().size()),
         contact_forces(tables.contacts.size()),
@@ -36,6 +37,7 @@ struct Workspace {
   std::vector<double> effort;      ///< torque or force of each driver [N m, N], positive along its value
   std::vector<Vec2> closure_gap;   ///< φ [m] of each closure, (line, 0) for a line, (angle [rad], 0) for an angle
   std::vector<Vec2> closure_rate;  ///< φ̇ [m/s, rad/s]
+  std::vector<double> bristles;    ///< z [m], part of the state: to be set before an evaluation
   std::vector<PointChain::PointMotion> point_motions;
   std::vector<Vec2> point_loads;  ///< force on each chain row [N]
   std::vector<ContactForces> contact_forces;

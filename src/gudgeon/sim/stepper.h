@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How a motion is taken over one step: what the explicit and the stiff integrator have in common.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gudgeon/results/run_record.h"
+#include "gudgeon/sim/dense_step.h"
+#include "gudgeon/sim/motion_equations.h"
+
+namespace gudgeon {
+
+/// A step below this [s] means that a run cannot go on.
+inline constexpr double kSmallestStep = 1e-12;
+
+/// Attempts a step, ends it earlier when asked to, and accepts it. An attempt leaves the workspace's coordinates at its
+/// end, an accepted step all of the workspace. Allocates nothing after construction.
+class Stepper {
+ public:
+  Stepper(MotionEquations& equations, SolverStatistics& statistics, int n_stages)
+      : equations_(equations),
+        statistics_(statistics),
+        end_(equations.size()),
+        end_slope_(equations.size()),
+        samples_(n_stages, std::vector<ContactSample>(equations.latches.size())) {}
+  virtual ~Stepper() = default;
+  Stepper(const Stepper&) = delete;
+  Stepper& operator=(const Stepper&) = delete;
+
+  /// Where the next step starts. It continues the last one unless the state or the latches were changed since.
+  virtual void begin(double time, const std::vector<double>& y, const std::vector<double>& slope, bool continues) = 0;
+  /// Tries a step, at most `longest` and at most what is `left` [s] to the milestone, which is then hit exactly. False
+  /// when it misses its tolerance; the next attempt is shorter.
+  virtual bool attempt(double longest, double left) = 0;
+  /// Ends the last attempt after h [s] instead.
+  virtual void end_at(double h) = 0;
+  /// Gives the last attempt up; the next is much shorter.
+  virtual void shorten() = 0;
+  /// Takes the last attempt as the step: its end, its slope there, its samples.
+  virtual void accept() = 0;
+  /// Length that the next attempt wants [s].
+  [[nodiscard]] virtual double next_step() const = 0;
+  /// A contact begins where the next step starts.
+  virtual void note_onset() {}
+  /// Whether closures are projected within a step, so that nobody else has to.
+  [[nodiscard]] virtual bool projects_closures() const { return false; }
+  /// The last attempt or step.
+  [[nodiscard]] virtual const DenseStep& dense() const = 0;
+
+  /// Weights [1] of the stages in an integral over the step.
+  [[nodiscard]] virtual std::span<const double> weights() const = 0;
+  /// What a contact was like at a stage of the step; without force where it was open.
+  [[nodiscard]] const ContactSample& find_sample(int stage, std::size_t contact) const {
+    return samples_[stage][contact];
+  }
+  /// A contact has ended.
+  void forget_samples(std::size_t contact) {
+    for (auto& stage : samples_) stage[contact] = {};
+  }
+
+  [[nodiscard]] const std::vector<double>& end() const { return end_; }
+  [[nodiscard]] const std::vector<double>& end_slope() const { return end_slope_; }
+
+ protected:
+  // The workspace was evaluated at this stage.
+  void take_samples(int stage) noexcept {
+    for (std::size_t k = 0; k < equations_.latches.size(); ++k) {
+      if (equations_.latches[k].in_contact) samples_[stage][k] = equations_.find_sample(k);
+    }
+  }
+  // The end of the last step is the start of the next.
+  void pass_samples_on() noexcept {
+    for (std::size_t k = 0; k < equations_.latches.size(); ++k) {
+      if (equations_.latches[k].in_contact) samples_.front()[k] = samples_.back()[k];
+    }
+  }
+
+  MotionEquations& equations_;
+  SolverStatistics& statistics_;
+  std::vector<double> end_;
+  std::vector<double> end_slope_;
+
+ private:
+  std::vector<std::vector<ContactSample>> samples_;  // samples_[stage][contact]
+};
+
+}  // namespace gudgeon

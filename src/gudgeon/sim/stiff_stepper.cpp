@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// CVODE's steps, and the integrals along them.
+#include "gudgeon/sim/stiff_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gudgeon {
+
+namespace {
+
+constexpr int kStages = StiffStepper::kStages;
+constexpr double kRootOfFive = 2.23606797749978969;
+// Lobatto's nodes and weights on [0, 1].
+constexpr std::array<double, kStages> kNodes{0.0, 0.5 - 0.5 / kRootOfFive, 0.5 + 0.5 / kRootOfFive, 1.0};
+constexpr std::array<double, kStages> kWeights{1.0 / 12, 5.0 / 12, 5.0 / 12, 1.0 / 12};
+// A step that has to be given up is tried again as this share of it.
+constexpr double kShortened = 0.2;
+
+// ∫₀ˢ of the cubic that is one at one node and zero at the others: coefficients of s, s², s³, s⁴.
+using Integral = std::array<double, kStages>;
+constexpr std::array<Integral, kStages> kIntegrals = [] {
+  std::array<Integral, kStages> all{};
+  for (int j = 0; j < kStages; ++j) {
+    std::array<double, kStages> cubic{1.0};
+    int degree = 0;
+    for (int m = 0; m < kStages; ++m) {
+      if (m == j) continue;
+      const double scale = 1.0 / (kNodes[j] - kNodes[m]);
+      ++degree;
+      for (int p = degree; p >= 0; --p) cubic[p] = scale * ((p > 0 ? cubic[p - 1] : 0.0) - kNodes[m] * cubic[p]);
+    }
+    for (int p = 0; p < kStages; ++p) all[j][p] = cubic[p] / (p + 1);
+  }
+  return all;
+}();
+
+double eval_integral(int stage, double share) {
+  const Integral& c = kIntegrals[stage];
+  return share * (c[0] + share * (c[1] + share * (c[2] + share * c[3])));
+}
+
+}  // namespace
+
+StiffStepper::StiffStepper(MotionEquations& equations, SolverStatistics& statistics, const ErrorTolerance& tolerance,
+                           ClosureProjection* projection, double longest_step)
+    : Stepper(equations, statistics, kStages),
+      tolerance_(tolerance),
+      projection_(projection),
+      cvode_(*this, equations.n_states(), projection != nullptr, kSmallestStep, longest_step),
+      start_(equations.size()),
+      start_slope_(equations.size()),
+      state_(equations.size()),
+      slope_(equations.size()),
+      next_(longest_step) {}
+
+std::span<const double> StiffStepper::weights() const { return kWeights; }
+
+bool StiffStepper::eval(double t, const double* y, double* slope) noexcept {
+  ++statistics_.evaluations;
+  equations_.eval(t, y, slope_.data());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < equations_.n_states(); ++i) {
+    slope[i] = slope_[i];
+    sum += 0.0 * slope_[i];
+  }
+  return std::isfinite(sum);
+}
+
+void StiffStepper::find_weights(const double* y, double* weights) noexcept {
+  for (std::size_t i = 0; i < equations_.n_states(); ++i) weights[i] = 1.0 / tolerance_.find(i, std::abs(y[i]));
+}
+
+bool StiffStepper::find_correction(double t, const double* y, double* correction) noexcept {
+  const std::size_t n = equations_.n_states();
+  std::copy_n(y, n, state_.begin());
+  ++statistics_.evaluations;
+  equations_.eval(t, state_.data(), slope_.data());
+  const int n_corrections = projection_->project(t, state_, slope_, equations_);
+  statistics_.projections += n_corrections;
+  statistics_.evaluations += n_corrections;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    correction[i] = state_[i] - y[i];
+    sum += 0.0 * correction[i];
+  }
+  return std::isfinite(sum);
+}
+
+void StiffStepper::restart(double first_step) {
+  cvode_.restart(time_, start_.data(), first_step);
+  n_failures_ = 0;
+  restarts_ = false;
+  is_fresh_ = true;
+}
+
+void StiffStepper::begin(double time, const std::vector<double>& y, const std::vector<double>& slope, bool continues) {
+  time_ = time;
+  start_ = y;
+  start_slope_ = slope;
+  std::copy_n(slope.begin() + static_cast<std::ptrdiff_t>(equations_.n_states()), kEnergyIntegrals,
+              powers_.front().begin());
+  pass_samples_on();
+  restarts_ = restarts_ || !continues;
+}
+
+bool StiffStepper::attempt(double /*longest*/, double left) {
+  is_line_ = left <= kSmallestStep;
+  if (is_line_) {
+    restarts_ = true;
+    h_ = whole_ = left;
+  } else {
+    if (restarts_) restart(0.0);
+    const std::optional<double> reached = cvode_.step(time_ + left);
+    const long n_failures = cvode_.count_failures();
+    statistics_.rejected_steps += n_failures - n_failures_;
+    n_failures_ = n_failures;
+    if (!reached) {
+      // A history may be at fault; without one nothing more can be done.
+      next_ = is_fresh_ ? 0.0 : std::numeric_limits<double>::infinity();
+      restarts_ = true;
+      return false;
+    }
+    is_fresh_ = false;
+    h_ = whole_ = *reached - time_;
+  }
+  move_to_end();
+  return true;
+}
+
+void StiffStepper::end_at(double h) {
+  h_ = h;
+  restarts_ = h != whole_;
+  move_to_end();
+}
+
+void StiffStepper::move_to_end() {
+  interpolate(1.0, equations_.n_states(), end_.data());
+  equations_.update_coordinates(time_ + h_, end_.data());
+}
+
+void StiffStepper::shorten() {
+  next_ = kShortened * whole_;
+  restart(next_);
+}
+
+void StiffStepper::take_stage(int stage) {
+  const double t = time_ + kNodes[stage] * h_;
+  ++statistics_.evaluations;
+  equations_.eval(t, state_.data(), end_slope_.data());
+  std::copy_n(end_slope_.begin() + static_cast<std::ptrdiff_t>(equations_.n_states()), kEnergyIntegrals,
+              powers_[stage].begin());
+  take_samples(stage);
+}
+
+void StiffStepper::accept() {
+  for (int stage = 1; stage < kStages; ++stage) {
+    interpolate(kNodes[stage], equations_.n_states(), state_.data());
+    take_stage(stage);
+  }
+  interpolate(1.0, end_.size(), end_.data());
+}
+
+void StiffStepper::interpolate(double share, std::size_t n_wanted, double* y) const noexcept {
+  const std::size_t n = equations_.n_states();
+  if (is_line_) {
+    for (std::size_t i = 0; i < std::min(n, n_wanted); ++i) y[i] = start_[i] + share * h_ * start_slope_[i];
+  } else {
+    cvode_.interpolate(time_ + share * h_, n_wanted, y);
+  }
+  for (std::size_t i = n; i < n_wanted; ++i) {
+    double integral = 0.0;
+    for (int stage = 0; stage < kStages; ++stage) integral += eval_integral(stage, share) * powers_[stage][i - n];
+    y[i] = start_[i] + h_ * integral;
+  }
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Steps by CVODE, for motions with fast decays: bristles, very stiff contacts, rest.
+#pragma once
+
+#include <array>
+
+#include "gudgeon/sim/closure_projection.h"
+#include "gudgeon/sim/cvode.h"
+#include "gudgeon/sim/error_tolerance.h"
+#include "gudgeon/sim/stepper.h"
+
+namespace gudgeon {
+
+/// CVODE sees coordinates, rates and bristles. The integrals, and whatever else is integrated along, are taken by
+/// Lobatto's rule of order 6 on its dense output; two of the four stages are the step's ends. A step that is ended
+/// earlier ends on dense output, and the next starts anew.
+class StiffStepper final : public Stepper, private DenseStep, private StiffProblem {
+ public:
+  static constexpr int kStages = 4;
+
+  /// Without projection closures are left alone.
+  StiffStepper(MotionEquations& equations, SolverStatistics& statistics, const ErrorTolerance& tolerance,
+               ClosureProjection* projection, double longest_step);
+
+  void begin(double time, const std::vector<double>& y, const std::vector<double>& slope, bool continues) override;
+  bool attempt(double longest, double left) override;
+  void end_at(double h) override;
+  void shorten() override;
+  void accept() override;
+  [[nodiscard]] double next_step() const override { return next_; }
+  [[nodiscard]] bool projects_closures() const override { return true; }
+  [[nodiscard]] const DenseStep& dense() const override { return *this; }
+  [[nodiscard]] std::span<const double> weights() const override;
+
+ private:
+  void interpolate(double share, std::size_t n_wanted, double* y) const noexcept override;
+  bool eval(double t, const double* y, double* slope) noexcept override;
+  void find_weights(const double* y, double* weights) noexcept override;
+  bool find_correction(double t, const double* y, double* correction) noexcept override;
+  void restart(double first_step);
+  void move_to_end();
+  void take_stage(int stage);
+
+  const ErrorTolerance& tolerance_;
+  ClosureProjection* projection_;
+  Cvode cvode_;
+  std::vector<double> start_;
+  std::vector<double> start_slope_;
+  std::vector<double> state_;  // scratch, as large as y
+  std::vector<double> slope_;
+  std::array<std::array<double, kEnergyIntegrals>, kStages> powers_{};
+  bool restarts_ = true;   // the next attempt does not continue CVODE's history
+  bool is_fresh_ = false;  // no step was taken since CVODE started anew
+  bool is_line_ = false;   // too short a step for CVODE: along the slope
+  double whole_ = 0.0;     // [s] the attempt before it was ended earlier
+  double next_ = 0.0;      // [s]
+  long n_failures_ = 0;    // that statistics know of
+};
+
+}  // namespace gudgeon
