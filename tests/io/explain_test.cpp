@@ -63,6 +63,27 @@ TEST(Explain, WritesEveryKindSoThatItReadsBack) {
   EXPECT_EQ(back.study.published[0].values, study.published[0].values);
 }
 
+TEST(Explain, WritesNestedDampingSoThatItReadsBack) {
+  Mechanism mechanism = make_every_kind();
+  Study study;
+  study.cycle_time = 0.7;
+  Johnson johnson;
+  johnson.damping = ExactRestitutionDamping{1.0 / 3.0};
+  auto& pin = std::get<RevoluteClearance>(mechanism.joints[1].kind);
+  for (const AnyNormalForce& law :
+       {AnyNormalForce{johnson}, AnyNormalForce{Persson{}}, AnyNormalForce{KelvinVoigt{1e7 / 3.0, 20.0}}}) {
+    pin.contact.normal_force = law;
+    const std::string text = explain(mechanism, study);
+    const ModelFile back = read_model_text("explained.toml", text);
+    EXPECT_FALSE(back.diagnostics.has_errors()) << render(back.diagnostics, back.source) << text;
+    EXPECT_EQ(explain(back.mechanism, back.study), text);
+  }
+  pin.contact.normal_force = johnson;
+  const ModelFile back = read_model_text("explained.toml", explain(mechanism, study));
+  const auto& read = std::get<Johnson>(std::get<RevoluteClearance>(back.mechanism.joints[1].kind).contact.normal_force);
+  EXPECT_EQ(std::get<ExactRestitutionDamping>(read.damping).restitution, 1.0 / 3.0);
+}
+
 TEST(Explain, WritesOutDefaults) {
   const std::string text = explain(make_every_kind(), {});
   for (const char* line : {"relative_tolerance = 1e-07", "warm_up_cycles = 0", "deposition = \"spread\"",

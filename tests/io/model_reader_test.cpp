@@ -239,6 +239,49 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"[bodies.frame]", "[bodies.frame]\nmass = 1", "body 'frame' has no key 'mass'"},
         Spoiled{"name = \"press\"", "name = \"my press\"", "a name is made of"}));
 
+// The good model with a law of normal force.
+std::string with_normal_force(const std::string& law) {
+  std::string text = kGood;
+  const std::string key = "normal_direction";
+  return text.insert(text.find(key), "normal_force = " + law + "\n");
+}
+
+AnyNormalForce read_normal_force(const std::string& law) {
+  const ModelFile model = read_model_text("press.toml", with_normal_force(law));
+  EXPECT_FALSE(model.diagnostics.has_errors()) << render(model.diagnostics, model.source);
+  return std::get<RevoluteClearance>(model.mechanism.joints.back().kind).contact.normal_force;
+}
+
+TEST(ModelReader, ReadsDampedPointLaws) {
+  const auto law = read_normal_force(R"({ law = "exact_restitution", restitution = 0.3, exponent = 1.4 })");
+  EXPECT_EQ(std::get<DampedHertz<ExactRestitutionDamping>>(law).restitution, 0.3);
+  EXPECT_EQ(std::get<DampedHertz<ExactRestitutionDamping>>(law).exponent, 1.4);
+  const auto linear = read_normal_force(R"({ law = "kelvin_voigt", stiffness = "2 kN/mm", damping = "3 N s/m" })");
+  EXPECT_EQ(std::get<KelvinVoigt>(linear).stiffness, 2e6);
+  EXPECT_EQ(std::get<KelvinVoigt>(linear).damping, 3.0);
+}
+
+TEST(ModelReader, ReadsNestedDamping) {
+  const auto law = read_normal_force(R"({ law = "johnson", damping = { law = "lee_wang", restitution = "80 %" } })");
+  EXPECT_EQ(std::get<LeeWangDamping>(std::get<Johnson>(law).damping).restitution, 0.8);
+  const auto elastic = read_normal_force(R"({ law = "persson" })");
+  EXPECT_TRUE(std::holds_alternative<NoDamping>(std::get<Persson>(elastic).damping));
+}
+
+TEST(ModelReader, FindsWhatIsWrongWithNestedDamping) {
+  for (const auto& [law, message] :
+       {std::pair{R"({ law = "johnson", damping = { law = "lee_wong" } })", "Did you mean 'lee_wang'?"},
+        {R"({ law = "johnson", damping = { law = "lee_wang", restitusion = 0.8 } })", "has no key 'restitusion'"},
+        {R"({ law = "johnson", damping = 3 })", "damping"},
+        {R"({ law = "johnson", restitution = 0.9 })", "has no key 'restitution'"},
+        {R"({ law = "hertz", damping = { law = "lee_wang" } })", "has no key 'damping'"},
+        {R"({ law = "johnson", damping = { law = "lee_wang", restitution = 1.2 } })", "restitution is 1.2"},
+        {R"({ law = "kelvin_voigt", stiffness = "1 N/m" })", "damping is missing"}}) {
+    const std::string found = errors_of(with_normal_force(law));
+    EXPECT_NE(found.find(message), std::string::npos) << law << "\n" << found;
+  }
+}
+
 TEST(ModelReader, RemarksUnusedContacts) {
   const std::string text =
       std::string{kGood} + "[contacts.other]\nbearing_material = \"steel\"\njournal_material = \"steel\"\n";

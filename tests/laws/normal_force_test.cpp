@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "gudgeon/laws/normal/any.h"
 #include "tests/laws/sample_law.h"
@@ -18,12 +20,19 @@ constexpr double kOnset = 0.05;
 constexpr std::array kPenetrations{1e-9, 1e-7, 3e-6, 2e-5, 4e-4};
 constexpr std::array kRates{-0.3, -0.05, -0.01, -1e-4, 0.0, 1e-4, 0.02, 0.05, 0.4};
 
+double find_relative_radius(const NormalContact& contact) {
+  return contact.bearing_radius * contact.journal_radius / (contact.bearing_radius - contact.journal_radius);
+}
+
 template <class Law>
 class NormalForceFamily : public testing::Test {
  protected:
-  [[nodiscard]] NormalForce eval(double penetration, double rate) const {
-    return law({penetration, rate, kOnset, kStiffness, law.damping_factor()});
+  [[nodiscard]] NormalContact make_contact(double penetration, double rate) const {
+    return {penetration, rate, kOnset, kStiffness, law.damping_factor(), 15e-3, 14e-3, 20e-3, 1.1e11};
   }
+  [[nodiscard]] NormalForce eval(double penetration, double rate) const { return law(make_contact(penetration, rate)); }
+  /// Damped linearly: the force starts with a step, and materials and radii do not matter.
+  static constexpr bool kIsLinear = std::same_as<Law, KelvinVoigt> || std::same_as<Law, Anagnostopoulos>;
   Law law = make_sample_law<Law>();
 };
 TYPED_TEST_SUITE(NormalForceFamily, AlternativesOf<AnyNormalForce>::Types);
@@ -43,7 +52,10 @@ TYPED_TEST(NormalForceFamily, StartsAndGoesOnWithoutAStep) {
   for (const double rate : kRates) {
     const double full = this->eval(1e-5, rate).force;
     // At a millionth of a penetration a force that grows at least linearly is at most a millionth.
-    EXPECT_LE(this->eval(1e-11, rate).force, 1.000001e-6 * full);
+    if (!this->kIsLinear) {
+      EXPECT_LE(this->eval(1e-11, rate).force, 1.000001e-6 * full);
+    }
+    EXPECT_LE(this->eval(1e-11, rate).elastic_force, 1.000001e-6 * this->eval(1e-5, rate).elastic_force);
     for (const double penetration : kPenetrations) {
       const double below = this->eval(penetration * (1.0 - 1e-9), rate).force;
       const double above = this->eval(penetration * (1.0 + 1e-9), rate).force;
@@ -99,7 +111,56 @@ TYPED_TEST(NormalForceFamily, HandsOnNaN) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(this->eval(nan, 0.01).force));
   EXPECT_TRUE(std::isnan(this->eval(nan, 0.01).elastic_energy));
-  EXPECT_TRUE(std::isnan(this->law({1e-5, 0.01, kOnset, nan, this->law.damping_factor()}).force));
+  EXPECT_TRUE(std::isnan(this->eval(1e-5, nan).force) || this->law.damping_factor() == 0.0);
+  NormalContact contact = this->make_contact(1e-5, 0.01);
+  contact.stiffness = contact.contact_modulus = nan;
+  EXPECT_NE(std::isnan(this->law(contact).force), this->kIsLinear);
+}
+
+TYPED_TEST(NormalForceFamily, DissipatesOverAClosedCycle) {
+  // In and out again along δ = δ₁ (1 − cos φ)/2.
+  constexpr int kSteps = 400;
+  constexpr double kDepth = 5e-5;
+  double work = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double phase = 2.0 * std::numbers::pi * (i + 0.5) / kSteps;
+    const double slope = 0.5 * kDepth * std::sin(phase);
+    work += this->eval(0.5 * kDepth * (1.0 - std::cos(phase)), kOnset * std::sin(phase)).force * slope;
+  }
+  work *= 2.0 * std::numbers::pi / kSteps;
+  const double stored = this->eval(kDepth, 0.0).elastic_energy;
+  const bool damped = this->eval(kDepth, kOnset).force > this->eval(kDepth, 0.0).force;
+  if (damped) {
+    EXPECT_GT(work, 1e-3 * stored);
+  } else {
+    EXPECT_NEAR(work, 0.0, 1e-12 * stored);  // equal and opposite to rounding
+  }
+}
+
+TYPED_TEST(NormalForceFamily, TellsHowItsEnergyDependsOnTheRadii) {
+  constexpr double kStep = 1e-6;
+  for (const double penetration : kPenetrations) {
+    const NormalContact contact = this->make_contact(penetration, 0.0);
+    const auto energy_at = [&](double bearing_radius, double journal_radius) {
+      NormalContact moved = contact;
+      moved.bearing_radius = bearing_radius;
+      moved.journal_radius = journal_radius;
+      moved.stiffness *= std::sqrt(find_relative_radius(moved) / find_relative_radius(contact));
+      return this->law(moved).elastic_energy;
+    };
+    const NormalForce force = this->law(contact);
+    const double r_i = contact.bearing_radius;
+    const double r_j = contact.journal_radius;
+    const double step = kStep * (r_i - r_j);
+    const double by_bearing = (energy_at(r_i + step, r_j) - energy_at(r_i - step, r_j)) / (2.0 * step);
+    const double by_journal = (energy_at(r_i, r_j + step) - energy_at(r_i, r_j - step)) / (2.0 * step);
+    // ln R_r = ln R_i + ln R_j − ln ΔR
+    const double radius = force.energy_by_radius;
+    const double clearance = force.energy_by_clearance - radius;
+    const double tolerance = 1e-8 * force.elastic_energy / (r_i - r_j);  // rounding over the step, 1e-16/1e-6
+    EXPECT_NEAR(by_bearing, radius / r_i + clearance / (r_i - r_j), tolerance) << penetration;
+    EXPECT_NEAR(by_journal, radius / r_j - clearance / (r_i - r_j), tolerance) << penetration;
+  }
 }
 
 TEST(Hertz, HasItsValue) {
@@ -135,6 +196,22 @@ TEST(LankaraniNikravesh, OfFullRestitutionIsHertz) {
     EXPECT_EQ(law({2e-5, rate, kOnset, kStiffness, law.damping_factor()}).force,
               Hertz{}({2e-5, rate, kOnset, kStiffness}).force);
   }
+}
+
+TEST(KelvinVoigt, HasItsValue) {
+  const KelvinVoigt law{.stiffness = 2e5, .damping = 300.0};
+  EXPECT_DOUBLE_EQ(law({0.01, 2.0, 0.1, 1.0}).force, 2600.0);
+  EXPECT_DOUBLE_EQ(law({0.01, 2.0, 0.1, 1.0}).elastic_energy, 10.0);
+  EXPECT_EQ(law({0.01, -7.0, 0.1, 1.0}).force, 0.0) << "2000 − 2100 would pull";
+}
+
+TEST(Anagnostopoulos, HasItsValue) {
+  // ln e = −π: ξ = 1/√2; 2ξ√(k m) = √2 · 1000.
+  const Anagnostopoulos law{.stiffness = 5e5, .effective_mass = 2.0, .restitution = std::exp(-std::numbers::pi)};
+  EXPECT_NEAR(law.damping_ratio(), std::numbers::sqrt2 / 2.0, 1e-15);
+  EXPECT_NEAR(law({0.01, 1.0, 0.1, 1.0}).force, 5000.0 + 1000.0 * std::numbers::sqrt2, 1e-11);
+  EXPECT_NEAR(law.delivered_restitution(), std::exp(-0.5 * std::numbers::pi), 1e-15);
+  EXPECT_EQ((Anagnostopoulos{1e5, 1.0, 1.0}.delivered_restitution()), 1.0);
 }
 
 TEST(LankaraniNikravesh, HandsOnANaNRate) {

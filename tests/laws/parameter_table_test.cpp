@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "gudgeon/laws/damping/any.h"
 #include "gudgeon/laws/friction/any.h"
 #include "gudgeon/laws/normal/any.h"
 #include "gudgeon/laws/wear/any.h"
@@ -25,7 +26,7 @@ bool is_snake_case(std::string_view text) {
 
 template <class Any>
 class LawFamily : public testing::Test {};
-using Families = testing::Types<AnyNormalForce, AnyFriction, AnyWear>;
+using Families = testing::Types<AnyNormalForce, AnyDamping, AnyFriction, AnyWear>;
 TYPED_TEST_SUITE(LawFamily, Families);
 
 TYPED_TEST(LawFamily, NamesAreUniqueAndFormulasGiven) {
@@ -57,8 +58,11 @@ TYPED_TEST(LawFamily, ParametersHaveTheirOwnKeySymbolAndMember) {
       EXPECT_NE(std::string_view{Law::kFormula}.find(written), std::string_view::npos)
           << Law::kName << ": " << written << " is not in the formula " << Law::kFormula;
     }
-    // Every member is in the table: a law holds nothing but its parameters (an empty law still has size 1).
-    EXPECT_EQ(Law::kParameters.size(), std::is_empty_v<Law> ? 0 : sizeof(Law) / sizeof(double)) << Law::kName;
+    // Every member is in the table: a law holds nothing but its parameters (an empty law still has size 1), and a
+    // damping form of choice.
+    std::size_t size = std::is_empty_v<Law> ? 0 : sizeof(Law);
+    if constexpr (NestsDamping<Law>) size -= sizeof(law.damping);
+    EXPECT_EQ(Law::kParameters.size(), size / sizeof(double)) << Law::kName;
   });
 }
 

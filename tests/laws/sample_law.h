@@ -21,7 +21,8 @@ struct AlternativesOf<std::variant<Laws...>> {
   using Types = testing::Types<Laws...>;
 };
 
-/// The law with its defaults; every required parameter is 0.12, which all ranges permit.
+/// The law with its defaults; every required parameter is 0.12, which all ranges permit, and a damping form of choice
+/// is the family's first.
 template <class Law>
 Law make_sample_law() {
   Law law;
@@ -30,6 +31,7 @@ Law make_sample_law() {
     law.*parameter.member = 0.12;
     EXPECT_TRUE(parameter.range.contains(0.12)) << parameter.key;
   }
+  if constexpr (NestsDamping<Law>) law.damping = std::variant_alternative_t<0, decltype(law.damping)>{};
   return law;
 }
 

@@ -57,6 +57,22 @@ struct Broken {
   std::function<void(Model&)> spoil;
 };
 
+Liu make_liu(const AnyDamping& damping) {
+  Liu law;
+  law.damping = damping;
+  return law;
+}
+
+TEST(Check, RemarksNoRestitutionThatIsDelivered) {
+  Model model = make_good();
+  for (const double e : {1e-3, 0.1, 0.5, 1.0}) {
+    model.pin().contact.normal_force = DampedHertz<ExactRestitutionDamping>{e};
+    EXPECT_EQ(render(check(model.mechanism, model.study), {}), "") << e;
+    model.pin().contact.normal_force = make_liu(ExactRestitutionDamping{e});
+    EXPECT_EQ(render(check(model.mechanism, model.study), {}), "") << e;
+  }
+}
+
 class CheckFinds : public testing::TestWithParam<Broken> {};
 
 TEST_P(CheckFinds, TheBrokenRule) {
@@ -142,6 +158,35 @@ INSTANTIATE_TEST_SUITE_P(
                [](Model& m) { m.pin().contact.journal_material = {}; }},
         Broken{"R-MODEL-101", "contacts.pin.normal_force.restitution", "delivers 0.725",
                [](Model& m) { m.pin().contact.normal_force = LankaraniNikravesh{.restitution = 0.5}; }},
+        Broken{"R-MODEL-101", "contacts.pin.normal_force.restitution", "lankarani_nikravesh delivers 0.684",
+               [](Model& m) { m.pin().contact.normal_force = LankaraniNikravesh{.restitution = 0.3}; }},
+        Broken{"R-MODEL-101", "contacts.pin.normal_force.restitution", "anagnostopoulos delivers 0.397",
+               [](Model& m) {
+                 m.pin().contact.normal_force = Anagnostopoulos{1e8, 1.0, 0.3};
+               }},
+        Broken{"R-MODEL-101", "contacts.pin.normal_force.restitution", "bai_zhao delivers 0.217",
+               [](Model& m) { m.pin().contact.normal_force = BaiZhao{0.1}; }},
+        Broken{"R-MODEL-101", "contacts.pin.normal_force.damping.restitution", "lee_wang delivers 0.799",
+               [](Model& m) { m.pin().contact.normal_force = make_liu(LeeWangDamping{0.5}); }},
+        Broken{"E-MODEL-030", "contacts.pin.normal_force.damping.restitution", "above 0 and at most 1",
+               [](Model& m) { m.pin().contact.normal_force = make_liu(GonthierDamping{0.0}); }},
+        Broken{"E-MODEL-030", "contacts.pin.normal_force.stiffness", "positive",
+               [](Model& m) {
+                 m.pin().contact.normal_force = KelvinVoigt{0.0, 1.0};
+               }},
+        Broken{"E-MODEL-036", "contacts.pin.normal_force", "joint 'A': liu is a law of a round bearing",
+               [](Model& m) {
+                 const ContactProperties contact = m.pin().contact;
+                 m.mechanism.joints[1].kind =
+                     PinInSlotClearance{{"crank", "A"}, {"rod", "A"}, 0.0, 0.1, 0.01, 0.0005, 0.02, contact};
+                 std::get<PinInSlotClearance>(m.mechanism.joints[1].kind).contact.normal_force = Liu{};
+               }},
+        Broken{"R-MODEL-120", "contacts.pin.normal_force",
+               "radial_clearance is 0.004 mm, and pereira was fitted from 0.005",
+               [](Model& m) {
+                 m.pin().radial_clearance = 4e-6;
+                 m.pin().contact.normal_force = Pereira{};
+               }},
         Broken{"R-MODEL-102", "contacts.pin.friction.static_coefficient", "below the kinetic", [](Model& m) {
                  m.pin().contact.friction = LugreSteady{.static_coefficient = 0.1, .kinetic_coefficient = 0.2};
                }}));

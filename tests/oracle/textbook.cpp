@@ -22,15 +22,19 @@ void add_force(Eigen::VectorXd& applied, int body, Vec2 arm, Vec2 force) {
   applied(3 * body + 2) += cross(arm, force);
 }
 
-/// K = 4/(3π(σᵢ + σⱼ)) √(Rᵢ Rⱼ/(Rᵢ − Rⱼ)), σ = (1 − ν²)/(π E)
-double find_stiffness(const RevoluteClearance& joint) {
+/// σᵢ + σⱼ, σ = (1 − ν²)/(π E)
+double find_compliance(const RevoluteClearance& joint) {
   const auto sigma = [](const Material& material) {
     return (1.0 - material.poisson_ratio * material.poisson_ratio) / (std::numbers::pi * material.young_modulus);
   };
-  const double sum = sigma(joint.contact.bearing_material) + sigma(joint.contact.journal_material);
+  return sigma(joint.contact.bearing_material) + sigma(joint.contact.journal_material);
+}
+
+/// K = 4/(3π(σᵢ + σⱼ)) √(Rᵢ Rⱼ/(Rᵢ − Rⱼ))
+double find_stiffness(const RevoluteClearance& joint) {
   const double journal_radius = joint.bearing_radius - joint.radial_clearance;
   const double radius = joint.bearing_radius * journal_radius / (joint.bearing_radius - journal_radius);
-  return 4.0 / (3.0 * std::numbers::pi * sum) * std::sqrt(radius);
+  return 4.0 / (3.0 * std::numbers::pi * find_compliance(joint)) * std::sqrt(radius);
 }
 
 TextbookContactForce eval_contact(const RevoluteClearance& joint, const TextbookContact& latched,
@@ -57,8 +61,15 @@ TextbookContactForce eval_contact(const RevoluteClearance& joint, const Textbook
   const double onset_speed = std::max(latched.onset_speed, joint.contact.onset_speed_floor);
   const double damping_factor =
       std::visit([](const auto& law) { return law.damping_factor(); }, joint.contact.normal_force);
-  const NormalContact input{contact.penetration, contact.penetration_rate, onset_speed, contact.stiffness,
-                            damping_factor};
+  const NormalContact input{contact.penetration,
+                            contact.penetration_rate,
+                            onset_speed,
+                            contact.stiffness,
+                            damping_factor,
+                            joint.bearing_radius,
+                            journal_radius,
+                            joint.width,
+                            1.0 / (std::numbers::pi * find_compliance(joint))};
   const NormalForce normal = std::visit([&](const auto& law) { return law(input); }, joint.contact.normal_force);
   const double mu = std::visit([&](const auto& law) { return law(FrictionContact{contact.slip_speed}).coefficient; },
                                joint.contact.friction);

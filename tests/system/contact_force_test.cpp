@@ -11,6 +11,7 @@
 
 #include "gudgeon/system/body_motion.h"
 #include "gudgeon/system/dynamics.h"
+#include "tests/laws/sample_law.h"
 #include "tests/oracle/mechanisms.h"
 
 namespace gudgeon {
@@ -26,11 +27,18 @@ RadialProfile make_wear(std::size_t n, unsigned seed) {
   return RadialProfile(depths);
 }
 
+void set_normal_force(Contact& contact, const AnyNormalForce& any) {
+  contact.normal_force = any;
+  contact.damping_factor = std::visit([](const auto& law) { return law.damping_factor(); }, any);
+}
+
 Contact make_contact(double clearance) {
   Contact contact;
   contact.surfaces = {15e-3, 15e-3 - clearance, {}, {}};
   contact.stiffness_factor = find_stiffness_factor(kSteel, kSteel);
-  contact.normal_force = LankaraniNikravesh{0.7, 1.5};
+  contact.contact_modulus = find_contact_modulus(kSteel, kSteel);
+  contact.width = 20e-3;
+  set_normal_force(contact, LankaraniNikravesh{0.7, 1.5});
   contact.friction = CoulombSmooth{0.2, 3e-3};
   contact.onset_speed_floor = 1e-3;
   return contact;
@@ -67,7 +75,7 @@ RelativeMotion make_pressed_motion(double t) {
 TEST(ContactForce, HasTheStiffnessOfThePaper) {
   for (const auto& [clearance, stiffness] : {std::pair{0.3e-3, 1.256e11}, {0.5e-3, 9.664e10}, {0.8e-3, 7.560e10}}) {
     Contact contact = make_contact(clearance);
-    contact.normal_force = Hertz{};
+    set_normal_force(contact, Hertz{});
     constexpr double kPenetration = 1e-6;
     const ContactForces forces = find_contact_forces(contact, {{clearance + kPenetration, 0.0}, {}}, {true, 0.1});
     const double found = forces.normal_force / (kPenetration * std::sqrt(kPenetration));
@@ -147,10 +155,11 @@ TEST(ContactForce, TurnsNothingByItself) {
   }
 }
 
-TEST(ContactForce, PowerIsBalanced) {
+void expect_balanced_power(const AnyNormalForce& law) {
   constexpr double kStep = 1e-6;
   for (const Surfaces& surfaces : kSurfaces) {
-    const Contact contact = make_contact(surfaces);
+    Contact contact = make_contact(surfaces);
+    set_normal_force(contact, law);
     const ContactLatch latch{true, 2e-3};
     for (double t = 0.0; t < 2.0; t += 0.07) {
       const RelativeMotion motion = make_pressed_motion(t);
@@ -163,7 +172,8 @@ TEST(ContactForce, PowerIsBalanced) {
                             (2.0 * kStep);
       // Energies of F δ round to 1e-16 of that over the step; the step squared is smaller.
       const double tolerance = 1e-8 * forces.normal_force * 1e-3;
-      EXPECT_NEAR(power, -stored - forces.damping_power - forces.friction_power + forces.surface_power, tolerance) << t;
+      EXPECT_NEAR(power, -stored - forces.damping_power - forces.friction_power + forces.surface_power, tolerance)
+          << law_name(law) << " at " << t;
       EXPECT_GE(forces.damping_power, 0.0);
       EXPECT_GE(forces.friction_power, 0.0);
       if (!surfaces.bearing_worn && !surfaces.journal_worn) {
@@ -171,6 +181,46 @@ TEST(ContactForce, PowerIsBalanced) {
       }
     }
   }
+}
+
+TEST(ContactForce, PowerIsBalancedByEveryLaw) {
+  for_each_law<AnyNormalForce>([]<class Law> {
+    auto law = make_sample_law<Law>();
+    if constexpr (requires { law.stiffness; }) law.stiffness = 1e8;
+    if constexpr (std::same_as<Law, KelvinVoigt>) law.damping = 1e4;
+    expect_balanced_power(law);
+  });
+}
+
+// Round and round a worn pair without damping and friction: what the motion puts in comes back but for surface work.
+TEST(ContactForce, SlidesOverWornSurfacesWithoutLoss) {
+  for_each_law<AnyNormalForce>([]<class Law> {
+    Contact contact = make_contact(kSurfaces[3]);
+    auto law = make_sample_law<Law>();
+    if constexpr (requires { law.stiffness; }) law.stiffness = 1e8;
+    if constexpr (requires { law.restitution; }) law.restitution = 1.0;
+    if constexpr (std::same_as<Law, KelvinVoigt>) law.damping = 0.0;
+    if constexpr (NestsDamping<Law>) law.damping = NoDamping{};
+    set_normal_force(contact, law);
+    contact.friction = Frictionless{};
+    const ContactLatch latch{true, 2e-3};
+    constexpr double kEnd = 1.3;
+    constexpr int kSteps = 20000;
+    double work = 0.0;
+    double surface_work = 0.0;
+    for (int i = 0; i < kSteps; ++i) {  // midpoints
+      const RelativeMotion motion = make_pressed_motion(kEnd * (i + 0.5) / kSteps);
+      const ContactForces forces = find_contact_forces(contact, motion, latch);
+      work += (dot(forces.force_on_journal, motion.velocity) + forces.torque_on_bearing * motion.bearing_rate +
+               forces.torque_on_journal * motion.journal_rate) *
+              kEnd / kSteps;
+      surface_work += forces.surface_power * kEnd / kSteps;
+    }
+    const double start = find_contact_forces(contact, make_pressed_motion(0.0), latch).elastic_energy;
+    const double end = find_contact_forces(contact, make_pressed_motion(kEnd), latch).elastic_energy;
+    EXPECT_NEAR(work - surface_work, start - end, 1e-6 * start) << Law::kName;  // midpoints, their step squared
+    EXPECT_GT(std::abs(end - start), 0.01 * start) << "the energies differ enough to tell";
+  });
 }
 
 // Total momentum and angular momentum of two free bodies that rub in one joint.

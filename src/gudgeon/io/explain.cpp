@@ -101,6 +101,7 @@ class SharedTables {
           for (const Parameter<Law>& parameter : Law::kParameters) {
             text += fmt::format(", {} = {}", parameter.key, toml_quantity(law.*parameter.member, parameter.dimension));
           }
+          if constexpr (NestsDamping<Law>) text += ", damping = " + law_text(law.damping);
           return text + " }";
         },
         any);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads a law of any family, { law = "archard", coefficient = "4e-14 1/Pa" }, by the law's own parameter table.
+// Reads a law of any family, { law = "archard", coefficient = "4e-14 1/Pa" }, by the law's own parameter table;
+// a law that nests a damping form has it as a table within, damping = { law = "lee_wang", restitution = 0.8 }.
 #pragma once
 
 #include <cmath>
@@ -30,6 +31,12 @@ AnyLaw read_law(TableReader& table) {
       double& member = law.*parameter.member;
       member = std::isnan(member) ? table.read_quantity(parameter.key, parameter.dimension)
                                   : table.find_quantity(parameter.key, parameter.dimension).value_or(member);
+    }
+    if constexpr (NestsDamping<Law>) {
+      if (auto nested = table.find_table("damping", table.subject() + ": damping")) {
+        law.damping = read_law<decltype(law.damping)>(*nested);
+        nested->check_unknown_keys();
+      }
     }
     any = law;
   });

@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
 #include "gudgeon/base/parameter_table.h"
@@ -19,6 +20,12 @@ concept LawValue = std::default_initializable<Law> && std::copyable<Law> && requ
   { Law::kName } -> std::convertible_to<std::string_view>;
   { Law::kFormula } -> std::convertible_to<std::string_view>;
   { Law::kParameters.size() } -> std::convertible_to<std::size_t>;
+};
+
+/// A law that holds a damping form of the user's choice, a variant of its own.
+template <class Law>
+concept NestsDamping = requires(const Law law) {
+  std::variant_size<std::remove_cvref_t<decltype(law.damping)>>::value;
 };
 
 /// Calls visit.operator()<Law>() for every alternative of a family's variant, in order.

@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "gudgeon/laws/normal/delivered_restitution.h"
+#include "gudgeon/laws/damping/delivered_restitution.h"
 #include "gudgeon/model/check_rules.h"
 
 namespace gudgeon {
@@ -32,6 +32,10 @@ void check_parameters(CheckRules& rules, const Law& law, const std::string& subj
       rules.diagnostics.error("E-MODEL-035", path, fmt::format("{}: {}", subject, conflict));
     }
   }
+  if constexpr (NestsDamping<Law>) {
+    std::visit([&](const auto& damping) { check_parameters(rules, damping, subject + ".damping", path + ".damping"); },
+               law.damping);
+  }
 }
 
 /// The value of the parameter with that symbol in the law's formula.
@@ -43,17 +47,31 @@ std::optional<double> find_parameter(const Law& law, std::string_view symbol) {
   return std::nullopt;
 }
 
+/// The restitution of an impact under a law or damping form.
+template <class Law>
+double find_delivered(const Law& law) {
+  if constexpr (requires { law.delivered_restitution(); }) {
+    return law.delivered_restitution();
+  } else {
+    const double factor = law.damping_factor();
+    return factor > 0.0 ? find_delivered_restitution(factor) : 1.0;
+  }
+}
+
 template <class Law>
 void remark_restitution(CheckRules& rules, const Law& law, const std::string& subject, const std::string& path) {
+  if constexpr (NestsDamping<Law>) {
+    std::visit([&](const auto& damping) { remark_restitution(rules, damping, subject, path + ".damping"); },
+               law.damping);
+  }
   if constexpr (requires { law.restitution; }) {
-    const double factor = law.damping_factor();
-    if (!(factor > 0.0)) return;
-    const double delivered = find_delivered_restitution(factor);
+    if (!kRestitutionRange.contains(law.restitution)) return;  // an error already
+    const double delivered = find_delivered(law);
     if (std::abs(delivered - law.restitution) <= kRestitutionMargin) return;
     rules.diagnostics.remark("R-MODEL-101", path + ".restitution",
                              fmt::format("{}: restitution is {:.6g}, but {} delivers {:.3f}", subject, law.restitution,
                                          Law::kName, delivered),
-                             {"choose another law of normal force, or ask for another restitution"});
+                             {"exact_restitution delivers what it is asked for"});
   }
 }
 
@@ -77,6 +95,34 @@ void remark_friction(CheckRules& rules, const Law& law, const std::string& subje
       "R-MODEL-104", path,
       fmt::format("{}: dissipation is certain only for σ₂ >= σ₁ (μ_s - μ_k)/μ_k = {:.6g} s/m; σ₂ is {:.6g}", subject,
                   least, *viscous));
+}
+
+/// Cylindrical laws ask for two radii, and one for a range of their difference.
+void check_geometry(CheckRules& rules, const Joint& joint, const ContactProperties& contact) {
+  const auto* revolute = std::get_if<RevoluteClearance>(&joint.kind);
+  const std::string subject = fmt::format("joint '{}'", joint.name);
+  const std::string path = fmt::format("contacts.{}.normal_force", contact.name);
+  std::visit(
+      [&]<class Law>(const Law& /*law*/) {
+        if constexpr (NeedsRoundBearing<Law>) {
+          if (revolute == nullptr) {
+            rules.diagnostics.error(
+                "E-MODEL-036", path,
+                fmt::format("{}: {} is a law of a round bearing, and this one is flat", subject, Law::kName),
+                {"a revolute_clearance has a round bearing; elsewhere take a point law as hertz"});
+          }
+        }
+        if constexpr (std::same_as<Law, Pereira>) {
+          if (revolute != nullptr && !kPereiraClearance.contains(revolute->radial_clearance)) {
+            rules.diagnostics.remark("R-MODEL-120", path,
+                                     fmt::format("{}: radial_clearance is {:.6g} mm, and pereira was fitted from "
+                                                 "{:.6g} to {:.6g} mm",
+                                                 subject, 1e3 * revolute->radial_clearance,
+                                                 1e3 * kPereiraClearance.minimum, 1e3 * kPereiraClearance.maximum));
+          }
+        }
+      },
+      contact.normal_force);
 }
 
 void check_material(CheckRules& rules, const Material& material) {
@@ -117,6 +163,7 @@ void check_contacts(CheckRules& rules) {
                               fmt::format("joint '{}' has no contact", joint.name));
       continue;
     }
+    check_geometry(rules, joint, contact);
     // Contacts and materials are shared; each is reported once.
     if (!seen_contacts.insert(contact.name).second) continue;
     const std::string subject = fmt::format("contact '{}'", contact.name);

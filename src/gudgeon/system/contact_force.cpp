@@ -98,8 +98,11 @@ ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& 
   forces.torque_on_journal = -forces.friction_force * gap.journal_lever;
   forces.torque_on_bearing = forces.friction_force * gap.bearing_lever;
 
-  // Energy stored at one place of a worn surface is given back at another with another stiffness: K grows with √R_r.
-  forces.surface_power = 0.5 * normal.elastic_energy * gap.relative_radius_rate;
+  // Energy stored at one place of a worn surface is given back at another, where the same penetration holds another.
+  const double clearance_rate =  // d ln ΔR/dt
+      (gap.bearing_radius_rate - gap.journal_radius_rate) / (gap.bearing_radius - gap.journal_radius);
+  forces.surface_power =
+      normal.energy_by_radius * gap.relative_radius_rate + normal.energy_by_clearance * clearance_rate;
   if (contact.normal_direction == NormalDirection::gap_gradient) {
     forces.force_on_journal -= normal.force * gap.gradient;
     forces.torque_on_bearing -= normal.force * gap.bearing_gradient;

@@ -26,9 +26,11 @@ struct NormalContact {
 
 /// Force of one contact along its normal, pressing the bodies apart.
 struct NormalForce {
-  double force;           ///< F [N], >= 0: elastic part plus damping, never pulling
-  double elastic_force;   ///< K δ^n [N]
-  double elastic_energy;  ///< stored energy U [J], dU/dδ = elastic_force
+  double force = 0.0;             ///< F [N], >= 0: elastic part plus damping, never pulling
+  double elastic_force = 0.0;     ///< F_el [N], without damping
+  double elastic_energy = 0.0;    ///< stored energy U [J], ∂U/∂δ = elastic_force
+  double energy_by_radius = 0.0;  ///< ∂U/∂ln R_r [J] at constant δ, where the law depends on the relative radius
+  double energy_by_clearance = 0.0;  ///< ∂U/∂ln ΔR [J] at constant δ, where the law depends on ΔR = R_i − R_j
 };
 
 /// Total force of an elastic part and a damping part; a contact cannot pull, so the sum ends at zero. NaN stays NaN.
@@ -37,10 +39,11 @@ inline double never_pulling(double elastic_force, double damping_force) {
 }
 
 /// F = F_el (1 + χ δ̇/δ̇₀), never pulling: an elastic force with the damping shared by most laws.
-inline NormalForce with_damping(const NormalForce& elastic, const NormalContact& contact) noexcept {
+inline NormalForce with_damping(NormalForce elastic, const NormalContact& contact) noexcept {
   const double damping =
       elastic.elastic_force * contact.damping_factor * contact.penetration_rate / contact.onset_speed;
-  return {never_pulling(elastic.elastic_force, damping), elastic.elastic_force, elastic.elastic_energy};
+  elastic.force = never_pulling(elastic.elastic_force, damping);
+  return elastic;
 }
 
 /// A law of normal force. Its damping_factor() is χ of the shape F = F_el (1 + χ δ̇/δ̇₀), 0 for a law without damping or

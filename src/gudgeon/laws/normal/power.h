@@ -12,10 +12,11 @@ namespace gudgeon {
 
 /// F = K δ^n and U = K δ^(n+1)/(n+1) for δ > 0, zero otherwise, NaN for NaN. The Hertzian n = 1.5 needs no pow.
 inline NormalForce elastic_power(double stiffness, double penetration, double exponent) noexcept {
-  if (penetration <= 0.0) return {0.0, 0.0, 0.0};
+  if (penetration <= 0.0) return {};
   const double power = exponent == 1.5 ? penetration * std::sqrt(penetration) : std::pow(penetration, exponent);
   const double force = stiffness * power;
-  return {force, force, force * penetration / (exponent + 1.0)};
+  const double energy = force * penetration / (exponent + 1.0);
+  return {force, force, energy, 0.5 * energy};  // K grows with √R_r
 }
 
 inline constexpr ParameterRange kExponentRange{1.0, 3.0, false, false};
