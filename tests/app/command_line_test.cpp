@@ -23,7 +23,7 @@ TEST(CommandLine, HelpTeachesByExamples) {
 
 TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
   const TemporaryFolder folder;
-  for (const std::string command : {"check", "draw", "run", "info", "export"}) {
+  for (const std::string command : {"check", "draw", "run", "info", "export", "laws"}) {
     const Outcome outcome = run_program(folder, {command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_THAT(outcome.out, HasSubstr("\n  gudgeon " + command + " ")) << command;

@@ -15,6 +15,7 @@
 #include "gudgeon/app/draw_command.h"
 #include "gudgeon/app/export_command.h"
 #include "gudgeon/app/info_command.h"
+#include "gudgeon/app/laws_command.h"
 #include "gudgeon/app/run_command.h"
 #include "gudgeon/app/text_output.h"
 #include "gudgeon/base/diagnostics.h"
@@ -29,6 +30,7 @@ A first session:
   gudgeon run press.toml                      simulate, wear, summarise
   gudgeon info runs/press/base.h5             look at a run again
   gudgeon export runs/press/base.h5 -o csv    its channels as CSV
+  gudgeon laws friction                       what laws are there?
 
 Any value of the model can be changed from the command line:
   gudgeon run press.toml --set joints.A.radial_clearance="0.8 mm"
@@ -106,6 +108,7 @@ void add_commands(CLI::App& program, Action& action) {
   add_run_command(program, action);
   add_info_command(program, action);
   add_export_command(program, action);
+  add_laws_command(program, action);
 }
 
 std::optional<ExitCode> read_command_line(CLI::App& program, int argc, const char* const* argv) {

@@ -86,7 +86,8 @@ ExpressionError translate(const mu::ParserError& error, const std::string& text)
 const std::vector<std::string>& list_formula_functions() {
   static const std::vector<std::string> kNames = [] {
     std::vector<std::string> names{"smooth_step"};
-    for (const auto& [name, callback] : mu::Parser{}.GetFunDef()) names.push_back(name);
+    const mu::Parser parser;
+    for (const auto& [name, callback] : parser.GetFunDef()) names.push_back(name);
     std::ranges::sort(names);
     return names;
   }();

@@ -76,35 +76,6 @@ AnyJoint read_pin_in_slot(TableReader& table) {
   return joint;
 }
 
-AnyJoint read_prismatic_clearance(TableReader& table, std::span<const ContactProperties> contacts) {
-  PrismaticClearance joint;
-  joint.bearing = read_anchor_of(table, "bearing");
-  joint.journal = read_anchor_of(table, "journal");
-  joint.direction = table.read_quantity("direction", dimension::kAngle);
-  joint.relative_angle = table.find_quantity("relative_angle", dimension::kAngle).value_or(0.0);
-  joint.bearing_length = table.read_quantity("bearing_length", dimension::kLength);
-  joint.journal_length = table.read_quantity("journal_length", dimension::kLength);
-  joint.journal_height = table.read_quantity("journal_height", dimension::kLength);
-  joint.corner_radius = table.read_quantity("corner_radius", dimension::kLength);
-  joint.clearance = table.read_quantity("clearance", dimension::kLength);
-  joint.width = table.read_quantity("width", dimension::kLength);
-  joint.contact = read_contact_of(table, contacts);
-  return joint;
-}
-
-AnyJoint read_pin_in_slot_clearance(TableReader& table, std::span<const ContactProperties> contacts) {
-  PinInSlotClearance joint;
-  joint.bearing = read_anchor_of(table, "bearing");
-  joint.journal = read_anchor_of(table, "journal");
-  joint.direction = table.read_quantity("direction", dimension::kAngle);
-  joint.bearing_length = table.read_quantity("bearing_length", dimension::kLength);
-  joint.journal_radius = table.read_quantity("journal_radius", dimension::kLength);
-  joint.clearance = table.read_quantity("clearance", dimension::kLength);
-  joint.width = table.read_quantity("width", dimension::kLength);
-  joint.contact = read_contact_of(table, contacts);
-  return joint;
-}
-
 std::optional<AnyJoint> read_kind(TableReader& table, std::span<const ContactProperties> contacts) {
   const std::string type = table.read_text("type");
   if (type == "revolute") return read_revolute(table);
@@ -112,10 +83,7 @@ std::optional<AnyJoint> read_kind(TableReader& table, std::span<const ContactPro
   if (type == "rigid") return read_rigid(table);
   if (type == "pin_in_slot") return read_pin_in_slot(table);
   if (type == "revolute_clearance") return read_clearance(table, contacts);
-  if (type == "prismatic_clearance") return read_prismatic_clearance(table, contacts);
-  if (type == "pin_in_slot_clearance") return read_pin_in_slot_clearance(table, contacts);
-  const std::vector<std::string> types{"revolute",           "prismatic",           "pin_in_slot",          "rigid",
-                                       "revolute_clearance", "prismatic_clearance", "pin_in_slot_clearance"};
+  const std::vector<std::string> types{"revolute", "prismatic", "pin_in_slot", "rigid", "revolute_clearance"};
   if (!type.empty()) table.report_unknown_choice("type", type, types);
   return std::nullopt;
 }
