@@ -86,13 +86,13 @@ TEST(Expression, IgnoresTheLocale) {
   std::setlocale(LC_ALL, before.c_str());
 }
 
-struct Bad {
+struct BadExpression {
   const char* text;
   std::size_t position;
   const char* message;  ///< a part of it
 };
 
-class ExpressionRejects : public testing::TestWithParam<Bad> {};
+class ExpressionRejects : public testing::TestWithParam<BadExpression> {};
 
 TEST_P(ExpressionRejects, AndSaysWhere) {
   try {
@@ -105,13 +105,13 @@ TEST_P(ExpressionRejects, AndSaysWhere) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Texts, ExpressionRejects,
-                         testing::Values(Bad{"2*crnk.angle", 2, "'crnk.angle'"}, Bad{"t + + ", 0, "lacks a value"},
-                                         Bad{"sin(t", 5, "')' is missing"}, Bad{"sin(t, 2)", 0, "too many"},
-                                         Bad{"t * ", 4, "too early"}, Bad{"atan2(t)", 0, "too few"},
-                                         Bad{"k = 3", 2, "assign"}, Bad{"t <= 1 ? t = 2 : 1", 11, "assign"},
-                                         Bad{"t, 2", 1, "one value"}, Bad{"\"t\"", 1, "quotes"}, Bad{"", 0, "empty"},
-                                         Bad{"2 t", 2, "'t'"}, Bad{"t > 1 ? 2", 0, "':'"}, Bad{"t*_pi", 2, "'_pi'"},
-                                         Bad{"3*(t))", 5, "')'"}, Bad{"nosuch(t)", 0, "'nosuch'"}));
+                         testing::Values(BadExpression{"2*crnk.angle", 2, "'crnk.angle'"}, BadExpression{"t + + ", 0, "lacks a value"},
+                                         BadExpression{"sin(t", 5, "')' is missing"}, BadExpression{"sin(t, 2)", 0, "too many"},
+                                         BadExpression{"t * ", 4, "too early"}, BadExpression{"atan2(t)", 0, "too few"},
+                                         BadExpression{"k = 3", 2, "assign"}, BadExpression{"t <= 1 ? t = 2 : 1", 11, "assign"},
+                                         BadExpression{"t, 2", 1, "one value"}, BadExpression{"\"t\"", 1, "quotes"}, BadExpression{"", 0, "empty"},
+                                         BadExpression{"2 t", 2, "'t'"}, BadExpression{"t > 1 ? 2", 0, "':'"}, BadExpression{"t*_pi", 2, "'_pi'"},
+                                         BadExpression{"3*(t))", 5, "')'"}, BadExpression{"nosuch(t)", 0, "'nosuch'"}));
 
 }  // namespace
 }  // namespace gudgeon

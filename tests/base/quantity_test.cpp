@@ -13,7 +13,7 @@
 namespace gudgeon {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 struct Good {
   const char* text;
@@ -39,26 +39,26 @@ INSTANTIATE_TEST_SUITE_P(
         Good{"200 GPa", 200e9, dimension::kPressure}, Good{"8e-14 1/Pa", 8e-14, dimension::kPerPressure},
         Good{"8e-14 Pa^-1", 8e-14, dimension::kPerPressure}, Good{"0.2382e-3 kg m^2", 0.2382e-3, dimension::kInertia},
         Good{"4 kg mm^2", 4e-6, dimension::kInertia}, Good{"148 g", 0.148, dimension::kMass},
-        Good{"60.28 deg", 60.28 * kPi / 180.0, dimension::kAngle}, Good{"60 rpm", 2.0 * kPi, dimension::kAngularSpeed},
-        Good{"-1 rev/s", -2.0 * kPi, dimension::kAngularSpeed}, Good{"1 rev/min", kPi / 30.0, dimension::kAngularSpeed},
-        Good{"2*pi rad/s", 2.0 * kPi, dimension::kAngularSpeed}, Good{"-pi rad/s", -kPi, dimension::kAngularSpeed},
-        Good{"-3 pi rad/s", -3.0 * kPi, dimension::kAngularSpeed}, Good{"pi/2", kPi / 2.0, dimension::kNone},
+        Good{"60.28 deg", 60.28 * kHalfTurn / 180.0, dimension::kAngle}, Good{"60 rpm", 2.0 * kHalfTurn, dimension::kAngularSpeed},
+        Good{"-1 rev/s", -2.0 * kHalfTurn, dimension::kAngularSpeed}, Good{"1 rev/min", kHalfTurn / 30.0, dimension::kAngularSpeed},
+        Good{"2*pi rad/s", 2.0 * kHalfTurn, dimension::kAngularSpeed}, Good{"-pi rad/s", -kHalfTurn, dimension::kAngularSpeed},
+        Good{"-3 pi rad/s", -3.0 * kHalfTurn, dimension::kAngularSpeed}, Good{"pi/2", kHalfTurn / 2.0, dimension::kNone},
         Good{"9.81 m/s^2", 9.81, dimension::kAcceleration}, Good{"9.81 m/s/s", 9.81, dimension::kAcceleration},
         Good{"0.1 N m", 0.1, dimension::kTorque}, Good{"0.1 N*m", 0.1, dimension::kTorque},
         Good{"3 J", 3.0, dimension::kTorque}, Good{"50 Hz", 50.0, dimension::kPerTime},
         Good{"2 bar", 2e5, dimension::kPressure}, Good{"15 %", 0.15, dimension::kNone},
         Good{"2 h", 7200.0, dimension::kTime}, Good{"3 min", 180.0, dimension::kTime},
         Good{"1 t", 1000.0, dimension::kMass}, Good{"1 in", 0.0254, dimension::kLength},
-        Good{"12 µm", 12e-6, dimension::kLength}, Good{"90°", kPi / 2.0, dimension::kAngle},
+        Good{"12 µm", 12e-6, dimension::kLength}, Good{"90°", kHalfTurn / 2.0, dimension::kAngle},
         Good{"9.81 m/s²", 9.81, dimension::kAcceleration}, Good{"400 s/m", 400.0, dimension::kTimePerLength},
         Good{"+.5 m", 0.5, dimension::kLength}));
 
-struct Bad {
+struct BadQuantity {
   const char* text;
   const char* message;  ///< a part of it
 };
 
-class QuantityRefuses : public testing::TestWithParam<Bad> {};
+class QuantityRefuses : public testing::TestWithParam<BadQuantity> {};
 
 TEST_P(QuantityRefuses, AndNamesTheWrongPart) {
   const auto parsed = parse_quantity(GetParam().text);
@@ -69,14 +69,14 @@ TEST_P(QuantityRefuses, AndNamesTheWrongPart) {
 
 INSTANTIATE_TEST_SUITE_P(
     Texts, QuantityRefuses,
-    testing::Values(Bad{"", "empty"}, Bad{"   ", "empty"}, Bad{"mm", "must begin with a finite number"},
-                    Bad{"nan", "finite number"}, Bad{"-inf m", "finite number"}, Bad{"1e999 m", "1e999"},
-                    Bad{"1e300 Gm^3", "too large"}, Bad{"3 mmm", "unknown unit 'mmm'; did you mean 'mm'?"},
-                    Bad{"3 Mpa", "unknown unit 'Mpa'"}, Bad{"1 gpa", "did you mean 'GPa'?"},
-                    Bad{"3 Nm", "did you mean 'N m'?"}, Bad{"3 degrees", "did you mean 'deg'?"},
-                    Bad{"3 m^", "power of 'm'"}, Bad{"3 m^0.5", "power of 'm'"}, Bad{"3 m^99", "power of 'm'"},
-                    Bad{"3 m/", "missing after '/'"}, Bad{"3 5 m", "'5 m' is not a unit"}, Bad{"3,5 mm", "',5'"},
-                    Bad{"1/0 m", "divides by zero"}, Bad{"0x10 m", "'x10'"}, Bad{"3 // m", "expected at '/ m'"}));
+    testing::Values(BadQuantity{"", "empty"}, BadQuantity{"   ", "empty"}, BadQuantity{"mm", "must begin with a finite number"},
+                    BadQuantity{"nan", "finite number"}, BadQuantity{"-inf m", "finite number"}, BadQuantity{"1e999 m", "1e999"},
+                    BadQuantity{"1e300 Gm^3", "too large"}, BadQuantity{"3 mmm", "unknown unit 'mmm'; did you mean 'mm'?"},
+                    BadQuantity{"3 Mpa", "unknown unit 'Mpa'"}, BadQuantity{"1 gpa", "did you mean 'GPa'?"},
+                    BadQuantity{"3 Nm", "did you mean 'N m'?"}, BadQuantity{"3 degrees", "did you mean 'deg'?"},
+                    BadQuantity{"3 m^", "power of 'm'"}, BadQuantity{"3 m^0.5", "power of 'm'"}, BadQuantity{"3 m^99", "power of 'm'"},
+                    BadQuantity{"3 m/", "missing after '/'"}, BadQuantity{"3 5 m", "'5 m' is not a unit"}, BadQuantity{"3,5 mm", "',5'"},
+                    BadQuantity{"1/0 m", "divides by zero"}, BadQuantity{"0x10 m", "'x10'"}, BadQuantity{"3 // m", "expected at '/ m'"}));
 
 TEST(Quantity, DoesNotDependOnTheLocale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);

@@ -15,7 +15,7 @@
 namespace gudgeon {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 std::vector<double> make_random_depths(std::size_t n, unsigned seed) {
   std::mt19937 random(seed);
@@ -26,7 +26,7 @@ std::vector<double> make_random_depths(std::size_t n, unsigned seed) {
 }
 
 double find_center(std::size_t region, std::size_t n) {
-  return kTurn * (static_cast<double>(region) + 0.5) / static_cast<double>(n);
+  return kFullTurn * (static_cast<double>(region) + 0.5) / static_cast<double>(n);
 }
 
 TEST(RadialProfile, UnwornIsZeroEverywhere) {
@@ -58,7 +58,7 @@ TEST(RadialProfile, UniformDepthIsReproduced) {
 // at its own edges, 1/48 at the neighbours' far edges, nothing two regions away.
 TEST(RadialProfile, OneRegionSpreadsOverItsNeighboursOnly) {
   constexpr std::size_t kRegions = 9;
-  constexpr double kWidth = kTurn / kRegions;
+  constexpr double kWidth = kFullTurn / kRegions;
   for (const std::size_t worn : {0u, 1u, 4u, 7u, 8u}) {
     std::vector<double> depths(kRegions, 0.0);
     depths[worn] = 1.0;
@@ -106,7 +106,7 @@ TEST(RadialProfile, HoldsTheVolumeOfItsRegions) {
   for (const std::size_t n : {4u, 10u, 1000u}) {
     const std::vector<double> depths = make_random_depths(n, 3);
     const RadialProfile profile(depths);
-    const double width = kTurn / static_cast<double>(n);
+    const double width = kFullTurn / static_cast<double>(n);
     double integral = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
       // Simpson's rule is exact for the cubic between two knots.
@@ -126,7 +126,7 @@ TEST(RadialProfile, StaysWithinItsRegionDepths) {
   const RadialProfile profile(depths);
   const auto [least, most] = std::ranges::minmax(depths);
   EXPECT_EQ(profile.least_depth(), -0.3);
-  for (double angle = 0.0; angle < kTurn; angle += 1e-3) {
+  for (double angle = 0.0; angle < kFullTurn; angle += 1e-3) {
     const double depth = profile.eval(angle).depth;
     EXPECT_GE(depth, least);
     EXPECT_LE(depth, most);
@@ -136,10 +136,10 @@ TEST(RadialProfile, StaysWithinItsRegionDepths) {
 TEST(RadialProfile, RepeatsEveryTurn) {
   const RadialProfile profile(make_random_depths(31, 5));
   for (const double turns : {-1000.0, -3.0, -1.0, 1.0, 2.0, 1e6}) {
-    for (double angle = 0.05; angle < kTurn; angle += 0.4) {
+    for (double angle = 0.05; angle < kFullTurn; angle += 0.4) {
       // Slopes are below 10 per radian; the sum itself rounds to a part in 1e16.
-      EXPECT_NEAR(profile.eval(angle + turns * kTurn).depth, profile.eval(angle).depth,
-                  1e-14 + std::abs(turns) * kTurn * 1e-15 * 10.0);
+      EXPECT_NEAR(profile.eval(angle + turns * kFullTurn).depth, profile.eval(angle).depth,
+                  1e-14 + std::abs(turns) * kFullTurn * 1e-15 * 10.0);
     }
   }
 }
@@ -150,7 +150,7 @@ TEST(RadialProfile, HasNoStepAtTheSeamOrWhereWrappingRounds) {
   EXPECT_NEAR(profile.eval(std::nextafter(knot, 0.0)).depth, profile.eval(knot).depth, 1e-14);
   EXPECT_NEAR(profile.eval(std::nextafter(knot, 1.0)).depth, profile.eval(knot).depth, 1e-14);
   EXPECT_NEAR(profile.eval(-1e-20).depth, profile.eval(0.0).depth, 1e-14);
-  EXPECT_NEAR(profile.eval(std::nextafter(kTurn, 0.0)).depth, profile.eval(0.0).depth, 1e-14);
+  EXPECT_NEAR(profile.eval(std::nextafter(kFullTurn, 0.0)).depth, profile.eval(0.0).depth, 1e-14);
 }
 
 TEST(RadialProfile, TellsWhenAnAngleHasNoPlace) {

@@ -11,7 +11,7 @@
 namespace gudgeon {
 namespace {
 
-constexpr const char* kModel = R"(name = "pendulum"
+constexpr const char* kPendulumModel = R"(name = "pendulum"
 [bodies.frame]
 points = { O = [0, 0] }
 [bodies.bar]
@@ -32,16 +32,16 @@ set = { "bodies.bar.mass" = "-2 kg" }
 )";
 
 ModelFile read_with(std::string_view case_name, std::vector<Override> overrides) {
-  return read_model_text("m.toml", kModel, case_name, overrides);
+  return read_model_text("m.toml", kPendulumModel, case_name, overrides);
 }
 
-std::string rendered(const ModelFile& model) { return render(model.diagnostics, model.source); }
+std::string render_all(const ModelFile& model) { return render(model.diagnostics, model.source); }
 
 const Body& bar(const ModelFile& model) { return model.mechanism.bodies[1]; }
 
 TEST(Overrides, CasesAreListedWithTheirTexts) {
   const ModelFile model = read_with("", {});
-  EXPECT_EQ(rendered(model), "");
+  EXPECT_EQ(render_all(model), "");
   ASSERT_EQ(model.cases.size(), 3U);
   EXPECT_EQ(model.cases[0].description, "twice the mass");
   const std::vector<std::pair<std::string, std::string>> expected{
@@ -51,7 +51,7 @@ TEST(Overrides, CasesAreListedWithTheirTexts) {
 
 TEST(Overrides, ApplyACaseThenTheCommandLine) {
   const ModelFile model = read_with("heavy", {{"bodies.bar.mass", "5 kg"}, {"bodies.bar.points.tip.0", "3 m"}});
-  EXPECT_EQ(rendered(model), "");
+  EXPECT_EQ(render_all(model), "");
   EXPECT_EQ(bar(model).mass, 5.0);
   EXPECT_EQ(bar(model).inertia, 3.0);
   EXPECT_EQ(bar(model).points[1].position.x, 3.0);
@@ -70,7 +70,7 @@ TEST(Overrides, MaySetWhatTheFileLeavesOut) {
   EXPECT_EQ(model.mechanism.gravity.y, -9.81);
   EXPECT_FALSE(model.study.compare_ideal);
   EXPECT_TRUE(bar(model).start.angle.has_value());
-  EXPECT_NE(rendered(model).find("the model has nothing at 'loads.push'"), std::string::npos);
+  EXPECT_NE(render_all(model).find("the model has nothing at 'loads.push'"), std::string::npos);
 }
 
 TEST(Overrides, TakeTomlValuesAndUnquotedTexts) {
@@ -88,7 +88,7 @@ TEST(Overrides, TakeTomlValuesAndUnquotedTexts) {
 
 TEST(Overrides, ErrorsNameTheCommandLine) {
   const ModelFile model = read_with("", {{"bodies.bar.mass", "-3 kg"}, {"study.cycels", "3"}, {"bodies.br.mass", "1"}});
-  const std::string text = rendered(model);
+  const std::string text = render_all(model);
   for (const char* expected :
        {"--set bodies.bar.mass=-3 kg: error E-MODEL-003: body 'bar': mass is \"-3 kg\" (-3 kg); it must be positive",
         "--set study.cycels=3: error E-FILE-001: study has no key 'cycels'", "Did you mean 'cycles'?",
@@ -99,16 +99,16 @@ TEST(Overrides, ErrorsNameTheCommandLine) {
 }
 
 TEST(Overrides, ErrorsNameTheCase) {
-  const std::string broken = rendered(read_with("broken", {}));
+  const std::string broken = render_all(read_with("broken", {}));
   EXPECT_TRUE(broken.starts_with("m.toml:15:29: error E-MODEL-003: ")) << broken;
   EXPECT_NE(broken.find("   set by case 'broken'\n"), std::string::npos) << broken;
-  const std::string lost = rendered(read_with("lost", {}));
+  const std::string lost = render_all(read_with("lost", {}));
   EXPECT_TRUE(lost.starts_with("m.toml:18:22: error E-FILE-010: ")) << lost;
   EXPECT_NE(lost.find("Did you mean 'bodies.bar.mass'?"), std::string::npos) << lost;
 }
 
 TEST(Overrides, AnUnknownCaseListsTheCases) {
-  const std::string text = rendered(read_with("hevy", {}));
+  const std::string text = render_all(read_with("hevy", {}));
   EXPECT_NE(text.find("E-FILE-009: there is no case 'hevy'"), std::string::npos) << text;
   EXPECT_NE(text.find("possible: heavy, broken, lost   Did you mean 'heavy'?"), std::string::npos) << text;
 }

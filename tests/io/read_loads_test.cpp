@@ -11,7 +11,7 @@
 namespace gudgeon {
 namespace {
 
-constexpr const char* kModel = R"toml(
+constexpr const char* kLoadedModel = R"toml(
 name = "loads"
 [bodies.frame]
 points.O = [0, 0]
@@ -65,20 +65,18 @@ angular_damping = "0.1 N m s/rad"
 cycle_time = 1
 )toml";
 
-ModelFile read_model(const std::string& text) {
-  return read_model_text("model.toml", text);
-}
+ModelFile read_model(const std::string& text) { return read_model_text("model.toml", text); }
 
 /// Reads the model with one text replaced and returns all messages.
 std::string find_messages(const std::string& from, const std::string& to) {
-  std::string text = kModel;
+  std::string text = kLoadedModel;
   text.replace(text.find(from), from.size(), to);
   const ModelFile model = read_model(text);
   return render(model.diagnostics, model.source);
 }
 
 TEST(ReadLoads, TakesEveryTypeInSi) {
-  const ModelFile model = read_model(kModel);
+  const ModelFile model = read_model(kLoadedModel);
   ASSERT_FALSE(model.diagnostics.has_errors()) << render(model.diagnostics, model.source);
   const auto& loads = model.mechanism.loads;
   ASSERT_EQ(loads.size(), 5U);
@@ -100,7 +98,7 @@ TEST(ReadLoads, TakesEveryTypeInSi) {
 }
 
 TEST(ReadLoads, ExplainsWhatItCanReadAgain) {
-  const ModelFile model = read_model(kModel);
+  const ModelFile model = read_model(kLoadedModel);
   const std::string explained = explain(model.mechanism, model.study);
   const ModelFile again = read_model(explained);
   ASSERT_FALSE(again.diagnostics.has_errors()) << render(again.diagnostics, again.source) << explained;

@@ -118,7 +118,7 @@ TEST(DrivenMotion, DriverAgainstABracketOnTheFrameLoadsItsWeld) {
 }
 
 // Shoulder, elbow, and the sum of both.
-Mechanism make_ring(double difference) {
+Mechanism make_driven_ring(double difference) {
   Mechanism mechanism = oracle::make_driven_arm(true);
   Driver whole{"whole", DrivenAngle{"hand"}};
   whole.start = oracle::eval_motion(mechanism.drivers[0], 0.0).value +
@@ -132,15 +132,15 @@ Mechanism make_ring(double difference) {
 }
 
 TEST(DrivenMotion, DriversThatSayTheSameAreRedundantByName) {
-  const Mobility mobility = find_mobility(make_ring(0.0));
+  const Mobility mobility = find_mobility(make_driven_ring(0.0));
   EXPECT_THAT(mobility.redundant_constraints, ElementsAre("driver 'bend': its relative angle"));
   EXPECT_EQ(mobility.n_degrees_of_freedom, 1);
-  const Evaluated at(make_ring(0.0));
+  const Evaluated at(make_driven_ring(0.0));
   EXPECT_EQ(at.workspace.effort[2], 0.0) << "a driver that is not needed does nothing";
 }
 
 TEST(DrivenMotion, DriversThatContradictAreNamed) {
-  const auto found = catch_diagnostics([] { assemble(make_ring(0.1)); });
+  const auto found = catch_diagnostics([] { assemble(make_driven_ring(0.1)); });
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].code, "E-MODEL-070");
   EXPECT_EQ(found[0].path, "drivers.bend");

@@ -19,7 +19,7 @@ namespace gudgeon {
 namespace {
 
 // Relative difference that rounding of a well-conditioned dense solve explains.
-constexpr double kTolerance = 1e-9;
+constexpr double kDynamicsTolerance = 1e-9;
 
 class RandomStates {
  public:
@@ -114,9 +114,9 @@ TEST_P(EngineAgainstTextbook, AccelerationsAgree) {
     for (std::size_t b = 0; b < motions.size(); ++b) {
       const auto& expected = solution.accelerations[b];
       const std::string& name = states.system.mechanism.bodies[b].name;
-      EXPECT_NEAR(motions[b].acceleration.x, expected.center.x, kTolerance * scale) << name;
-      EXPECT_NEAR(motions[b].acceleration.y, expected.center.y, kTolerance * scale) << name;
-      EXPECT_NEAR(motions[b].angle_acceleration, expected.angle, kTolerance * scale) << name;
+      EXPECT_NEAR(motions[b].acceleration.x, expected.center.x, kDynamicsTolerance * scale) << name;
+      EXPECT_NEAR(motions[b].acceleration.y, expected.center.y, kDynamicsTolerance * scale) << name;
+      EXPECT_NEAR(motions[b].angle_acceleration, expected.angle, kDynamicsTolerance * scale) << name;
     }
   });
 }
@@ -132,21 +132,21 @@ TEST_P(EngineAgainstTextbook, EffortsAndReactionsAgree) {
     for (const auto& r : solution.reactions) scale = std::max({scale, norm(r.force), std::abs(r.moment)});
     for (std::size_t j = 0; j < reactions.size(); ++j) {
       const std::string& name = states.system.mechanism.joints[j].name;
-      EXPECT_NEAR(reactions[j].force.x, solution.reactions[j].force.x, kTolerance * scale) << name;
-      EXPECT_NEAR(reactions[j].force.y, solution.reactions[j].force.y, kTolerance * scale) << name;
+      EXPECT_NEAR(reactions[j].force.x, solution.reactions[j].force.x, kDynamicsTolerance * scale) << name;
+      EXPECT_NEAR(reactions[j].force.y, solution.reactions[j].force.y, kDynamicsTolerance * scale) << name;
       if (std::holds_alternative<RevoluteClearance>(states.system.mechanism.joints[j].kind)) continue;
-      EXPECT_NEAR(reactions[j].moment, solution.reactions[j].moment, kTolerance * scale) << name;
+      EXPECT_NEAR(reactions[j].moment, solution.reactions[j].moment, kDynamicsTolerance * scale) << name;
     }
     const auto& counts = states.system.tables.counts;
     for (int d = 0; d < counts.n_driven(); ++d) {
       const double expected = solution.efforts[states.system.tables.driven[d].driver];
-      EXPECT_NEAR(states.workspace.effort[d], expected, kTolerance * scale);
+      EXPECT_NEAR(states.workspace.effort[d], expected, kDynamicsTolerance * scale);
       if (d < counts.n_driven_turns) {
-        EXPECT_NEAR(finder->root_moments()[counts.n_free_turns + d], expected, kTolerance * scale);
+        EXPECT_NEAR(finder->root_moments()[counts.n_free_turns + d], expected, kDynamicsTolerance * scale);
       }
     }
     for (int turn = 0; turn < counts.n_free_turns; ++turn) {
-      EXPECT_NEAR(finder->root_moments()[turn], 0.0, kTolerance * scale) << "moment left over on a free turn";
+      EXPECT_NEAR(finder->root_moments()[turn], 0.0, kDynamicsTolerance * scale) << "moment left over on a free turn";
     }
   });
 }
@@ -157,11 +157,11 @@ TEST_P(EngineAgainstTextbook, EnergiesAgree) {
                         const oracle::TextbookSolution&, const oracle::TextbookEnergy& expected) {
     const double kinetic = find_kinetic_energy(states.system.mechanism, motions);
     const double potential = find_potential_energy(states.system.tables, states.workspace);
-    EXPECT_NEAR(kinetic, expected.kinetic, kTolerance * (1.0 + expected.kinetic));
+    EXPECT_NEAR(kinetic, expected.kinetic, kDynamicsTolerance * (1.0 + expected.kinetic));
     // Potential energies may differ by a constant.
     if (!datum) datum = potential - expected.potential;
-    EXPECT_NEAR(potential - *datum, expected.potential, kTolerance * (1.0 + std::abs(expected.potential)));
-    EXPECT_NEAR(find_elastic_energy(states.workspace), expected.elastic, kTolerance * (1.0 + expected.elastic));
+    EXPECT_NEAR(potential - *datum, expected.potential, kDynamicsTolerance * (1.0 + std::abs(expected.potential)));
+    EXPECT_NEAR(find_elastic_energy(states.workspace), expected.elastic, kDynamicsTolerance * (1.0 + expected.elastic));
   });
 }
 
@@ -170,10 +170,10 @@ TEST_P(EngineAgainstTextbook, LoadPowersAgree) {
                        const oracle::TextbookSolution& solution, const oracle::TextbookEnergy&) {
     const LoadScratch& loads = states.workspace.loads;
     const double scale = 1.0 + std::abs(solution.loads.work_power) + solution.loads.damper_power;
-    EXPECT_NEAR(loads.work_power, solution.loads.work_power, kTolerance * scale);
-    EXPECT_NEAR(loads.damper_power, solution.loads.damper_power, kTolerance * scale);
+    EXPECT_NEAR(loads.work_power, solution.loads.work_power, kDynamicsTolerance * scale);
+    EXPECT_NEAR(loads.damper_power, solution.loads.damper_power, kDynamicsTolerance * scale);
     EXPECT_NEAR(find_spring_energy(states.workspace), solution.loads.stored_energy,
-                kTolerance * (1.0 + solution.loads.stored_energy));
+                kDynamicsTolerance * (1.0 + solution.loads.stored_energy));
   });
 }
 

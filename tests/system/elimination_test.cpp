@@ -113,7 +113,7 @@ TEST_P(RandomSaddlePoint, EverySlotIsItsOwn) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomSaddlePoint, testing::Range(1u, 16u));
 
-Tables compile_all(const Mechanism& mechanism) { return compile_tables(mechanism, find_topology(mechanism)); }
+Tables compile_all_rows(const Mechanism& mechanism) { return compile_tables(mechanism, find_topology(mechanism)); }
 
 TEST(Elimination, MakesNoFillInATree) {
   // Pairs of a branching tree that are each other's ancestors: 0 carries 1 and 2, 1 carries 3 and 4, 2 carries 5.
@@ -123,11 +123,11 @@ TEST(Elimination, MakesNoFillInATree) {
   EXPECT_EQ(elimination.find_slot(1, 2), -1);
   EXPECT_EQ(elimination.find_slot(3, 4), -1);
   // A chain couples every bar with every other.
-  EXPECT_EQ(compile_all(oracle::make_pendulum_chain(6)).elimination.n_values(), 6 * 7 / 2);
+  EXPECT_EQ(compile_all_rows(oracle::make_pendulum_chain(6)).elimination.n_values(), 6 * 7 / 2);
 }
 
 TEST(Elimination, FillGrowsLinearlyWithTheNumberOfLoops) {
-  const auto count = [](int n) { return compile_all(oracle::make_n_four_bar(n)).elimination.n_values(); };
+  const auto count = [](int n) { return compile_all_rows(oracle::make_n_four_bar(n)).elimination.n_values(); };
   const int growth = count(20) - count(10);
   EXPECT_EQ(count(30) - count(20), growth);
   EXPECT_EQ(count(60) - count(40), 2 * growth);

@@ -39,9 +39,9 @@ class ChainOfMechanism : public testing::TestWithParam<Mechanism> {
   std::vector<int> ends;
 };
 
-constexpr double kStep = 1e-5;
+constexpr double kChainStep = 1e-5;
 // Third derivatives of these motions are below 1e3, times the step squared; rounding is 1e-16 over the step.
-constexpr double kTolerance = 1e-7;
+constexpr double kChainTolerance = 1e-7;
 
 TEST_P(ChainOfMechanism, PositionsAreTheSumsOfTheirPaths) {
   for (const double t : {0.0, 0.7, 1.9}) {
@@ -62,26 +62,26 @@ TEST_P(ChainOfMechanism, PositionsAreTheSumsOfTheirPaths) {
 
 TEST_P(ChainOfMechanism, VelocitiesAreDerivatives) {
   for (const double t : {0.1, 0.9, 2.3}) {
-    const auto before = find_motions(t - kStep);
+    const auto before = find_motions(t - kChainStep);
     const auto at = find_motions(t);
-    const auto after = find_motions(t + kStep);
+    const auto after = find_motions(t + kChainStep);
     for (std::size_t r = 0; r < at.size(); ++r) {
-      const Vec2 difference = (0.5 / kStep) * (after[r].position - before[r].position);
-      EXPECT_NEAR(norm(at[r].velocity - difference), 0.0, kTolerance) << "row " << r;
+      const Vec2 difference = (0.5 / kChainStep) * (after[r].position - before[r].position);
+      EXPECT_NEAR(norm(at[r].velocity - difference), 0.0, kChainTolerance) << "row " << r;
     }
   }
 }
 
 TEST_P(ChainOfMechanism, AccelerationsAreDerivatives) {
   for (const double t : {0.1, 0.9, 2.3}) {
-    const auto before = find_motions(t - kStep);
-    const auto after = find_motions(t + kStep);
+    const auto before = find_motions(t - kChainStep);
+    const auto after = find_motions(t + kChainStep);
     std::vector<Vec2> accelerations(chain.rows().size());
     chain.find_accelerations(motion.eval(t), motion.find_angle_accelerations(t).data(),
                              motion.find_slide_accelerations(t).data(), accelerations.data());
     for (std::size_t r = 0; r < accelerations.size(); ++r) {
-      const Vec2 difference = (0.5 / kStep) * (after[r].velocity - before[r].velocity);
-      EXPECT_NEAR(norm(accelerations[r] - difference), 0.0, kTolerance) << "row " << r;
+      const Vec2 difference = (0.5 / kChainStep) * (after[r].velocity - before[r].velocity);
+      EXPECT_NEAR(norm(accelerations[r] - difference), 0.0, kChainTolerance) << "row " << r;
     }
   }
 }

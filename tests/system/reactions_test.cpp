@@ -19,7 +19,7 @@ using oracle::make_bar;
 using oracle::make_empty;
 
 // Forces of tens of newtons from sums of a few products.
-constexpr double kTolerance = 1e-12;
+constexpr double kReactionTolerance = 1e-12;
 constexpr double kGravity = 9.81;
 
 // A mechanism evaluated at its start, all contacts open.
@@ -44,8 +44,8 @@ struct Started {
 };
 
 void expect_force(const JointReaction& reaction, Vec2 expected) {
-  EXPECT_NEAR(reaction.force.x, expected.x, kTolerance);
-  EXPECT_NEAR(reaction.force.y, expected.y, kTolerance);
+  EXPECT_NEAR(reaction.force.x, expected.x, kReactionTolerance);
+  EXPECT_NEAR(reaction.force.y, expected.y, kReactionTolerance);
 }
 
 TEST(Reactions, BeamOnAPinAndAHanger) {
@@ -76,7 +76,7 @@ TEST(Reactions, CantileverHoldsWeightLoadAndTorque) {
     const Started started(mechanism);
     const double sign = frame_first ? 1.0 : -1.0;  // on the second body
     expect_force(started.reaction("weld"), sign * Vec2{-5.0, 3.0 * kGravity + 7.0});
-    EXPECT_NEAR(started.reaction("weld").moment, sign * (3.0 * kGravity * 0.7 + 7.0 * 2.0 - 4.0), kTolerance);
+    EXPECT_NEAR(started.reaction("weld").moment, sign * (3.0 * kGravity * 0.7 + 7.0 * 2.0 - 4.0), kReactionTolerance);
   }
 }
 
@@ -90,13 +90,13 @@ TEST(Reactions, BlockHeldOnAnInclineByItsDriver) {
   mechanism.drivers.push_back({"winch", DrivenSlide{"guide"}, 0.4, 0.25});
   const Started started(mechanism);
   const double weight = 2.0 * kGravity;
-  EXPECT_NEAR(started.workspace.effort[0], weight * 0.5, kTolerance);
+  EXPECT_NEAR(started.workspace.effort[0], weight * 0.5, kReactionTolerance);
   const double normal = weight * std::cos(incline);
   expect_force(started.reaction("guide"), normal * Vec2{-std::sin(incline), std::cos(incline)});
   // About the shoe: weight at (0.05, 0.02) turned by 30°.
   const double arm = 0.05 * std::cos(incline) - 0.02 * std::sin(incline);
-  EXPECT_NEAR(started.reaction("guide").moment, weight * arm, kTolerance);
-  EXPECT_NEAR(find_driver_power(started.workspace), weight * 0.5 * 0.25, kTolerance);
+  EXPECT_NEAR(started.reaction("guide").moment, weight * arm, kReactionTolerance);
+  EXPECT_NEAR(find_driver_power(started.workspace), weight * 0.5 * 0.25, kReactionTolerance);
 }
 
 TEST(Reactions, WhirlingCrankIsHeldInward) {
@@ -106,8 +106,8 @@ TEST(Reactions, WhirlingCrankIsHeldInward) {
   mechanism.drivers.push_back({"motor", DrivenAngle{"crank"}, 0.0, 20.0});
   const Started started(mechanism);
   expect_force(started.reaction("pivot"), {-1.5 * 400.0 * 0.1, 1.5 * kGravity});
-  EXPECT_NEAR(started.workspace.effort[0], 1.5 * kGravity * 0.1, kTolerance);
-  EXPECT_NEAR(started.finder.root_moments()[0], 1.5 * kGravity * 0.1, kTolerance);
+  EXPECT_NEAR(started.workspace.effort[0], 1.5 * kGravity * 0.1, kReactionTolerance);
+  EXPECT_NEAR(started.finder.root_moments()[0], 1.5 * kGravity * 0.1, kReactionTolerance);
 }
 
 // Drivers on a slide that closes a loop, on a tied body, and on a loose one.

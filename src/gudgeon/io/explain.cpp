@@ -15,8 +15,6 @@ namespace gudgeon {
 
 namespace {
 
-std::string point_text(const Anchor& anchor) { return toml_text(anchor.body + "." + anchor.point); }
-
 /// The fields that are set, as an inline table; nothing when none is.
 class StartTable {
  public:
@@ -129,7 +127,7 @@ class SharedTables {
 };
 
 void write_between(const Anchor& first, const Anchor& second, TomlLines& out) {
-  out.line("between", fmt::format("[{}, {}]", point_text(first), point_text(second)));
+  out.line("between", fmt::format("[{}, {}]", toml_point(first), toml_point(second)));
 }
 
 void write_kind(const Revolute& joint, SharedTables& /*shared*/, TomlLines& out) {
@@ -156,8 +154,8 @@ void write_kind(const PinInSlot& joint, SharedTables& /*shared*/, TomlLines& out
 
 void write_kind(const PrismaticClearance& joint, SharedTables& shared, TomlLines& out) {
   out.line("type", "\"prismatic_clearance\"");
-  out.line("bearing", point_text(joint.bearing));
-  out.line("journal", point_text(joint.journal));
+  out.line("bearing", toml_point(joint.bearing));
+  out.line("journal", toml_point(joint.journal));
   out.line("direction", toml_quantity(joint.direction, dimension::kAngle));
   out.line("relative_angle", toml_quantity(joint.relative_angle, dimension::kAngle));
   out.line("bearing_length", toml_quantity(joint.bearing_length, dimension::kLength));
@@ -171,8 +169,8 @@ void write_kind(const PrismaticClearance& joint, SharedTables& shared, TomlLines
 
 void write_kind(const PinInSlotClearance& joint, SharedTables& shared, TomlLines& out) {
   out.line("type", "\"pin_in_slot_clearance\"");
-  out.line("bearing", point_text(joint.bearing));
-  out.line("journal", point_text(joint.journal));
+  out.line("bearing", toml_point(joint.bearing));
+  out.line("journal", toml_point(joint.journal));
   out.line("direction", toml_quantity(joint.direction, dimension::kAngle));
   out.line("bearing_length", toml_quantity(joint.bearing_length, dimension::kLength));
   out.line("journal_radius", toml_quantity(joint.journal_radius, dimension::kLength));
@@ -189,8 +187,8 @@ void write_kind(const Rigid& joint, SharedTables& /*shared*/, TomlLines& out) {
 
 void write_kind(const RevoluteClearance& joint, SharedTables& shared, TomlLines& out) {
   out.line("type", "\"revolute_clearance\"");
-  out.line("bearing", point_text(joint.bearing));
-  out.line("journal", point_text(joint.journal));
+  out.line("bearing", toml_point(joint.bearing));
+  out.line("journal", toml_point(joint.journal));
   out.line("bearing_radius", toml_quantity(joint.bearing_radius, dimension::kLength));
   out.line("radial_clearance", toml_quantity(joint.radial_clearance, dimension::kLength));
   out.line("width", toml_quantity(joint.width, dimension::kLength));

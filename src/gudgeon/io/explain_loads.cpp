@@ -8,8 +8,6 @@ namespace gudgeon {
 
 namespace {
 
-std::string point_text(const Anchor& anchor) { return toml_text(anchor.body + "." + anchor.point); }
-
 std::string numbers_text(const std::vector<double>& numbers) {
   std::string text;
   for (const double number : numbers) text += (text.empty() ? "" : ", ") + toml_number(number);
@@ -42,7 +40,7 @@ void write_constants(std::initializer_list<const Function*> functions, TomlLines
 
 void write_kind(const ConstantForce& load, TomlLines& out) {
   out.line("type", "\"force\"");
-  out.line("point", point_text(load.point));
+  out.line("point", toml_point(load.point));
   out.line("force", toml_vector(load.force, dimension::kForce));
 }
 
@@ -54,7 +52,7 @@ void write_kind(const ConstantTorque& load, TomlLines& out) {
 
 void write_kind(const VariableForce& load, TomlLines& out) {
   out.line("type", "\"force\"");
-  out.line("point", point_text(load.point));
+  out.line("point", toml_point(load.point));
   out.line("axes", toml_text(load.axes));
   out.line("force",
            fmt::format("[{}, {}]", function_text(load.x, dimension::kForce), function_text(load.y, dimension::kForce)));
@@ -71,7 +69,7 @@ void write_kind(const VariableTorque& load, TomlLines& out) {
 
 void write_kind(const Spring& load, TomlLines& out) {
   out.line("type", "\"spring\"");
-  out.line("between", fmt::format("[{}, {}]", point_text(load.first), point_text(load.second)));
+  out.line("between", fmt::format("[{}, {}]", toml_point(load.first), toml_point(load.second)));
   out.line("stiffness", toml_quantity(load.stiffness, dimension::kStiffness));
   out.line("damping", toml_quantity(load.damping, dimension::kDamping));
   out.line("free_length", toml_quantity(load.free_length, dimension::kLength));
@@ -87,7 +85,7 @@ void write_kind(const TorsionSpring& load, TomlLines& out) {
 
 void write_kind(const Bushing& load, TomlLines& out) {
   out.line("type", "\"bushing\"");
-  out.line("between", fmt::format("[{}, {}]", point_text(load.first), point_text(load.second)));
+  out.line("between", fmt::format("[{}, {}]", toml_point(load.first), toml_point(load.second)));
   out.line("stiffness", toml_vector(load.stiffness, dimension::kStiffness));
   out.line("damping", toml_vector(load.damping, dimension::kDamping));
   out.line("angular_stiffness", toml_quantity(load.angular_stiffness, dimension::kAngularStiffness));

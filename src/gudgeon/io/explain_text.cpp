@@ -35,6 +35,8 @@ std::string toml_quantity(double value, Dimension dimension) {
   return fmt::format("\"{} {}\"", value, unit);
 }
 
+std::string toml_point(const Anchor& anchor) { return toml_text(anchor.body + "." + anchor.point); }
+
 std::string toml_vector(Vec2 value, Dimension dimension) {
   return fmt::format("[{}, {}]", toml_quantity(value.x, dimension), toml_quantity(value.y, dimension));
 }

@@ -13,6 +13,7 @@
 
 #include "gudgeon/base/quantity.h"
 #include "gudgeon/base/vec2.h"
+#include "gudgeon/model/joint.h"
 
 namespace gudgeon {
 
@@ -24,6 +25,8 @@ std::string toml_number(double value);
 std::string toml_quantity(double value, Dimension dimension);
 /// Two quantities in an array.
 std::string toml_vector(Vec2 value, Dimension dimension);
+/// A point of a body, "crank.A".
+std::string toml_point(const Anchor& anchor);
 
 /// The name of a choice.
 template <class Value>

@@ -20,7 +20,7 @@ namespace {
 // Start angles that differ by less are the same number written twice.
 constexpr double kSameAngle = 1e-9;
 // A table that falls short of the run by less, of its duration, ends with it.
-constexpr double kSameTime = 1e-9;
+constexpr double kSameDuration = 1e-9;
 // How many moments of the run a motion is tried at: a gap of a thousandth of the run is found.
 constexpr int kTrials = 1000;
 
@@ -140,7 +140,7 @@ class DriverCheck {
   void check_cover(const SampledCurve& curve) {
     start_ = CubicSpline(curve.arguments, curve.values, curve.periodic).eval(0.0).value;
     const double duration = find_duration();
-    const double margin = kSameTime * duration;
+    const double margin = kSameDuration * duration;
     if (curve.periodic || (curve.arguments.front() <= margin && curve.arguments.back() >= duration - margin)) return;
     rules_.diagnostics.error(
         "E-MODEL-087", path_ + ".motion.arguments",
