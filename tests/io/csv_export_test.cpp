@@ -56,9 +56,10 @@ TEST(CsvExport, WearHasTheMiddleOfEachRegion) {
   const auto lines = split_lines(read_text_file(scratch / "no_wear_wear.csv"));
   ASSERT_EQ(lines.size(), 1 + test::kRegions);
   EXPECT_EQ(lines[0],
-            "joint,angle [rad],bearing_depth [m],journal_depth [m],bearing_depth_added [m],journal_depth_added [m],"
+            "joint,surface,angle [rad],position [m],bearing_depth [m],journal_depth [m],bearing_depth_added "
+            "[m],journal_depth_added [m],"
             "total_depth_added [m]");
-  EXPECT_EQ(lines[1].substr(0, 22), "A,0.031415926535897934");
+  EXPECT_EQ(lines[1].substr(0, 25), "A,0,0.031415926535897934,");
   EXPECT_THAT(lines[98], testing::EndsWith(",4e-06"));
 }
 
@@ -68,7 +69,7 @@ TEST(CsvExport, EventsStatisticsAndEnergy) {
   run.stages[1].wear[0].joint = "A, \"left\"";
   export_csv(run, scratch.path(), false);
   EXPECT_EQ(split_lines(read_text_file(scratch / "no_wear_events.csv"))[1],
-            "\"A, \"\"left\"\"\",0.05,0.5,0.12,-1,2000");
+            "\"A, \"\"left\"\"\",0.05,0.5,0.12,-1,2000,0,0");
   EXPECT_EQ(split_lines(read_text_file(scratch / "no_wear_statistics.csv"))[4],
             "A.normal_force,N,0,0,2000,0.05,20,120");
   const auto energy = split_lines(read_text_file(scratch / "ideal_energy.csv"));

@@ -49,8 +49,8 @@ std::array<double, 10> list_solver(const SolverStatistics& s) {
 void expect_same_wear(const JointWear& a, const JointWear& b) {
   EXPECT_EQ(a.joint, b.joint);
   const auto list = [](const JointWear& w) {
-    return std::array{w.bearing_radius, w.journal_radius,   w.width,        w.archard_volume,
-                      w.removed_volume, w.sliding_distance, w.contact_time, w.impulse};
+    return std::array{w.bearing_radius, w.journal_radius, w.clearance,        w.slot_length,  w.width,
+                      w.archard_volume, w.removed_volume, w.sliding_distance, w.contact_time, w.impulse};
   };
   EXPECT_TRUE(have_same_bits(list(a), list(b)));
   EXPECT_TRUE(have_same_bits(a.bearing_depth, b.bearing_depth));
@@ -85,9 +85,10 @@ void expect_same_outline(const StageRecord& a, const StageRecord& b) {
   ASSERT_EQ(a.events.size(), b.events.size());
   for (std::size_t k = 0; k < a.events.size(); ++k) {
     const auto list = [](const ContactEvent& e) {
-      return std::array{e.onset_time, e.duration, e.onset_speed, e.angle, e.peak_force};
+      return std::array{e.onset_time, e.duration, e.onset_speed, e.angle, e.peak_force, e.position};
     };
     EXPECT_EQ(a.events[k].joint, b.events[k].joint);
+    EXPECT_EQ(a.events[k].contact, b.events[k].contact);
     EXPECT_TRUE(have_same_bits(list(a.events[k]), list(b.events[k])));
   }
   ASSERT_EQ(a.wear.size(), b.wear.size());

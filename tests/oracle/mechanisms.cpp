@@ -213,6 +213,10 @@ std::vector<Mechanism> make_all_mechanisms() {
           make_splined_slide(),
           make_projectile(),
           make_free_body_in_bearing(),
+          make_slider_crank_guide(),
+          make_block_in_turning_slot(),
+          make_scotch_yoke_clearance(),
+          make_free_pair_in_slot(),
           make_free_pair(),
           make_nine_bar()};
 }

@@ -65,6 +65,14 @@ Mechanism make_projectile();
 Mechanism make_free_body_in_bearing();
 /// Two free bodies that meet only in one clearance joint; no joint leads to the frame and there is no gravity.
 Mechanism make_free_pair();
+/// A driven slider-crank whose slider stands in an oblique guide with clearance; 2 degrees of freedom.
+Mechanism make_slider_crank_guide();
+/// A block with a pendulum, loose in the slot of a swinging arm; 5 degrees of freedom.
+Mechanism make_block_in_turning_slot();
+/// The scotch yoke with a pin that is thinner than its slot; 2 degrees of freedom.
+Mechanism make_scotch_yoke_clearance();
+/// The free pair with a block in a slot instead of a journal in a bearing.
+Mechanism make_free_pair_in_slot();
 /// The paper's press (nine_bar.md): clearance joints A and B, Lankarani-Nikravesh, lugre_steady, archard.
 Mechanism make_nine_bar();
 

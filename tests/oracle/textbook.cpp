@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Contact forces, the dense system and what its solution means, written out as a textbook has them.
+// The dense system and what its solution means, written out as a textbook has them.
 #include "tests/oracle/textbook.h"
 
 #include <algorithm>
 #include <array>
 #include <numbers>
 
+#include "tests/oracle/textbook_contacts.h"
 #include "tests/oracle/textbook_loads.h"
 
 namespace gudgeon::oracle {
@@ -20,64 +21,6 @@ void add_force(Eigen::VectorXd& applied, int body, Vec2 arm, Vec2 force) {
   applied(3 * body) += force.x;
   applied(3 * body + 1) += force.y;
   applied(3 * body + 2) += cross(arm, force);
-}
-
-/// σᵢ + σⱼ, σ = (1 − ν²)/(π E)
-double find_compliance(const RevoluteClearance& joint) {
-  const auto sigma = [](const Material& material) {
-    return (1.0 - material.poisson_ratio * material.poisson_ratio) / (std::numbers::pi * material.young_modulus);
-  };
-  return sigma(joint.contact.bearing_material) + sigma(joint.contact.journal_material);
-}
-
-/// K = 4/(3π(σᵢ + σⱼ)) √(Rᵢ Rⱼ/(Rᵢ − Rⱼ))
-double find_stiffness(const RevoluteClearance& joint) {
-  const double journal_radius = joint.bearing_radius - joint.radial_clearance;
-  const double radius = joint.bearing_radius * journal_radius / (joint.bearing_radius - journal_radius);
-  return 4.0 / (3.0 * std::numbers::pi * find_compliance(joint)) * std::sqrt(radius);
-}
-
-TextbookContactForce eval_contact(const RevoluteClearance& joint, const TextbookContact& latched,
-                                  const TextbookState& state, const Point2& bearing, const Point2& journal) {
-  TextbookContactForce contact;
-  const Vec2 e = journal.position - bearing.position;
-  contact.penetration = norm(e) - joint.radial_clearance;
-  contact.stiffness = find_stiffness(joint);
-  if (norm(e) == 0.0) return contact;
-  const Vec2 n = (1.0 / norm(e)) * e;
-  const Vec2 t = perp(n);
-  contact.normal = n;
-  contact.penetration_rate = dot(n, journal.velocity - bearing.velocity);
-
-  // material points of both bodies at Q
-  const double journal_radius = joint.bearing_radius - joint.radial_clearance;
-  contact.point = journal.position + (journal_radius - 0.5 * contact.penetration) * n;
-  const auto velocity_at_point = [&](const Point2& center) {
-    return center.velocity + state.bodies[center.body].angle_rate * perp(contact.point - center.position);
-  };
-  contact.slip_speed = dot(t, velocity_at_point(journal) - velocity_at_point(bearing));
-  if (!latched.in_contact || !(contact.penetration > 0.0)) return contact;
-
-  const double onset_speed = std::max(latched.onset_speed, joint.contact.onset_speed_floor);
-  const double damping_factor =
-      std::visit([](const auto& law) { return law.damping_factor(); }, joint.contact.normal_force);
-  const NormalContact input{contact.penetration,
-                            contact.penetration_rate,
-                            onset_speed,
-                            contact.stiffness,
-                            damping_factor,
-                            joint.bearing_radius,
-                            journal_radius,
-                            joint.width,
-                            1.0 / (std::numbers::pi * find_compliance(joint))};
-  const NormalForce normal = std::visit([&](const auto& law) { return law(input); }, joint.contact.normal_force);
-  const double mu = std::visit([&](const auto& law) { return law(FrictionContact{contact.slip_speed}).coefficient; },
-                               joint.contact.friction);
-  contact.normal_force = normal.force;
-  contact.elastic_energy = normal.elastic_energy;
-  contact.friction_force = -mu * normal.force;
-  contact.force = contact.friction_force * t - contact.normal_force * n;
-  return contact;
 }
 
 /// K x = b by a rank-revealing factorization of the equilibrated matrix, refined once.
@@ -109,9 +52,7 @@ Textbook::Textbook(Mechanism mechanism) : mechanism_(std::move(mechanism)) {
 TextbookState Textbook::make_state() const {
   TextbookState state;
   state.bodies.resize(mechanism_.bodies.size());
-  for (const Joint& joint : mechanism_.joints) {
-    if (std::holds_alternative<RevoluteClearance>(joint.kind)) state.contacts.emplace_back();
-  }
+  for (const Joint& joint : mechanism_.joints) state.contacts.resize(state.contacts.size() + n_contacts(joint.kind));
   return state;
 }
 
@@ -129,14 +70,7 @@ TextbookPoint Textbook::eval_point(const TextbookState& state, const Anchor& anc
 }
 
 std::vector<TextbookContactForce> Textbook::eval_contacts(const TextbookState& state) const {
-  std::vector<TextbookContactForce> contacts;
-  for (const Joint& joint : mechanism_.joints) {
-    if (const auto* clearance = std::get_if<RevoluteClearance>(&joint.kind)) {
-      contacts.push_back(eval_contact(*clearance, state.contacts.at(contacts.size()), state,
-                                      eval_point(state, clearance->bearing), eval_point(state, clearance->journal)));
-    }
-  }
-  return contacts;
+  return find_contacts(*this, state);
 }
 
 Eigen::VectorXd Textbook::make_masses() const {
@@ -167,14 +101,12 @@ Eigen::VectorXd Textbook::eval_applied(const TextbookState& state, const std::ve
     add_force(applied, action.body, action.at - state.bodies[action.body].center, action.force);
     applied(3 * action.body + 2) += action.moment;
   }
-  auto contact = contacts.begin();
-  for (const Joint& joint : mechanism_.joints) {
-    if (!std::holds_alternative<RevoluteClearance>(joint.kind)) continue;
-    const int bearing = find_body(mechanism_, anchors(joint.kind).first.body);
-    const int journal = find_body(mechanism_, anchors(joint.kind).second.body);
-    add_force(applied, journal, contact->point - state.bodies[journal].center, contact->force);
-    add_force(applied, bearing, contact->point - state.bodies[bearing].center, -contact->force);
-    ++contact;
+  for (const TextbookContactForce& contact : contacts) {
+    const auto [bearing, journal] = anchors(mechanism_.joints[contact.joint].kind);
+    const int bearing_body = find_body(mechanism_, bearing.body);
+    const int journal_body = find_body(mechanism_, journal.body);
+    add_force(applied, journal_body, contact.point - state.bodies[journal_body].center, contact.force);
+    add_force(applied, bearing_body, contact.point - state.bodies[bearing_body].center, -contact.force);
   }
   return applied;
 }
@@ -211,12 +143,16 @@ TextbookSolution Textbook::solve(const TextbookState& state, double time) const 
 
 void Textbook::find_reactions(const TextbookState& state, const TextbookRows& rows, TextbookSolution& solution) const {
   int row = 0;
-  auto contact = solution.contacts.begin();
-  for (const Joint& joint : mechanism_.joints) {
+  for (int j = 0; j < std::ssize(mechanism_.joints); ++j) {
+    const Joint& joint = mechanism_.joints[j];
     const Point2 second = eval_point(state, anchors(joint.kind).second);
-    if (std::holds_alternative<RevoluteClearance>(joint.kind)) {
-      solution.reactions.push_back({contact->force, cross(contact->point - second.position, contact->force)});
-      ++contact;
+    if (n_contacts(joint.kind) > 0) {
+      TextbookReaction& reaction = solution.reactions.emplace_back();
+      for (const TextbookContactForce& contact : solution.contacts) {
+        if (contact.joint != j) continue;
+        reaction.force += contact.force;
+        reaction.moment += cross(contact.point - second.position, contact.force);
+      }
       continue;
     }
     // −Φqᵀλ of the joint's rows is its generalized force; the second body's part is force and moment about its centre

@@ -21,7 +21,7 @@ struct TextbookBody {
   double angle_rate = 0.0;  ///< θ̇ [rad/s]
 };
 
-/// What one clearance joint remembers.
+/// What one contact of a clearance joint remembers.
 struct TextbookContact {
   bool in_contact = false;
   double onset_speed = 0.0;  ///< δ̇₀ [m/s]
@@ -29,7 +29,7 @@ struct TextbookContact {
 
 struct TextbookState {
   std::vector<TextbookBody> bodies;       ///< one a body in the mechanism's order, frame first
-  std::vector<TextbookContact> contacts;  ///< one a clearance joint in the order of the joints
+  std::vector<TextbookContact> contacts;  ///< those of every clearance joint in the order of the joints
 };
 
 /// Constraint rows of all joints in their order (2 a revolute or prismatic joint, 3 a rigid one, 1 a pin in a slot),
@@ -63,7 +63,8 @@ struct TextbookReaction {
 
 /// Contact of unworn surfaces; force members are zero unless latched in contact and δ > 0.
 struct TextbookContactForce {
-  Vec2 normal;                    ///< n, from the bearing's centre to the journal's; zero when they coincide
+  int joint = 0;
+  Vec2 normal;  ///< n, from the bearing's centre to the journal's (zero when they coincide), or out of a slot
   double penetration = 0.0;       ///< δ = |e| − c [m]
   double penetration_rate = 0.0;  ///< δ̇ [m/s]
   double stiffness = 0.0;         ///< K [N/m^n]
@@ -96,7 +97,7 @@ struct TextbookSolution {
   Eigen::VectorXd multipliers;                      ///< λ, in the order of the rows
   std::vector<TextbookReaction> reactions;          ///< one a joint
   std::vector<double> efforts;                      ///< one a driver: [N m] or [N] delivered, positive along its value
-  std::vector<TextbookContactForce> contacts;       ///< one a clearance joint
+  std::vector<TextbookContactForce> contacts;       ///< in the order of the state's
   TextbookLoads loads;
   int n_redundant_rows = 0;  ///< if not zero, λ and reactions are one choice among many
 };

@@ -4,6 +4,7 @@
 // Guess along the joints, Newton on Φ, then one least-squares solution for the velocities.
 #include "tests/oracle/textbook_start.h"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
@@ -210,7 +211,7 @@ void find_velocities(const Textbook& textbook, const Eigen::VectorXd& gap_rates,
   }
 }
 
-/// The rows of the ideal mechanism, with the clearance joints' vectors in theirs and zero in all others.
+/// The rows of the ideal mechanism, with the clearance joints' numbers in theirs and zero in all others.
 Eigen::VectorXd make_gaps(const Mechanism& mechanism, const std::vector<Vec2>& vectors) {
   const Mechanism ideal = make_ideal(mechanism);
   const Textbook textbook(ideal);
@@ -218,8 +219,9 @@ Eigen::VectorXd make_gaps(const Mechanism& mechanism, const std::vector<Vec2>& v
   Eigen::Index row = 0;
   auto vector = vectors.begin();
   for (std::size_t i = 0; i < mechanism.joints.size(); ++i) {
-    if (std::holds_alternative<RevoluteClearance>(mechanism.joints[i].kind)) {
-      gaps.segment<2>(row) << vector->x, vector->y;
+    if (find_contact(mechanism.joints[i].kind) != nullptr) {
+      const double both[2] = {vector->x, vector->y};
+      for (int k = 0; k < n_rows(ideal.joints[i].kind); ++k) gaps(row + k) = both[k];
       ++vector;
     }
     row += n_rows(ideal.joints[i].kind);
@@ -232,8 +234,9 @@ Eigen::VectorXd make_gaps(const Mechanism& mechanism, const std::vector<Vec2>& v
 TextbookState find_start(const Mechanism& mechanism, const std::vector<Eccentricity>& eccentricities) {
   const Textbook ideal(make_ideal(mechanism));
   const std::vector<TextbookContact> contacts = Textbook(mechanism).make_state().contacts;
-  std::vector<Vec2> vectors(contacts.size());
-  std::vector<Vec2> rates(contacts.size());
+  const auto is_clearance = [](const Joint& joint) { return find_contact(joint.kind) != nullptr; };
+  std::vector<Vec2> vectors(std::ranges::count_if(mechanism.joints, is_clearance));
+  std::vector<Vec2> rates(vectors.size());
   for (std::size_t i = 0; i < eccentricities.size(); ++i) {
     vectors.at(i) = eccentricities[i].vector;
     rates.at(i) = eccentricities[i].rate;
@@ -248,10 +251,13 @@ TextbookState find_start(const Mechanism& mechanism, const std::vector<Eccentric
 TextbookState make_pressed_state(const Mechanism& mechanism) {
   std::vector<Eccentricity> eccentricities;
   for (const Joint& joint : mechanism.joints) {
-    const auto* clearance = std::get_if<RevoluteClearance>(&joint.kind);
-    if (clearance == nullptr) continue;
-    const double penetration = 8e-6 + 3e-6 * static_cast<double>(eccentricities.size());
-    eccentricities.push_back({(clearance->radial_clearance + penetration) * Vec2{0.6, -0.8}, {0.03, -0.11}});
+    if (find_contact(joint.kind) == nullptr) continue;
+    const double depth = find_clearance(joint.kind) + 8e-6 + 3e-6 * static_cast<double>(eccentricities.size());
+    if (std::holds_alternative<RevoluteClearance>(joint.kind)) {
+      eccentricities.push_back({depth * Vec2{0.6, -0.8}, {0.03, -0.11}});
+    } else {
+      eccentricities.push_back({{depth, 2e-5}, {0.09, 0.4}});  // to the left, and a block a little tilted
+    }
   }
   TextbookState state = find_start(mechanism, eccentricities);
   for (TextbookContact& contact : state.contacts) contact = {true, 0.05};

@@ -8,10 +8,11 @@
 
 namespace gudgeon::oracle {
 
-/// Where a journal is in its bearing, in the frame's axes.
+/// Where a journal is in its bearing: in the frame's axes, or in a slot how far to its left [m] and how far a block is
+/// tilted [rad].
 struct Eccentricity {
-  Vec2 vector;  ///< e [m], journal minus bearing centre
-  Vec2 rate;    ///< [m/s]
+  Vec2 vector;  ///< e [m], journal minus bearing centre; or (m, rad) in a slot
+  Vec2 rate;    ///< [m/s], or (m/s, rad/s)
 };
 
 /// Places bodies by their guesses, closes joints by Newton's method with the smallest change, and finds velocities

@@ -54,6 +54,7 @@ inline void add_joint(StageRecord& stage, double depth, double peak_force) {
   wear.joint = "A";
   wear.bearing_radius = 15e-3;
   wear.journal_radius = 14.5e-3;
+  wear.clearance = 0.5e-3;
   wear.width = 20e-3;
   wear.bearing_depth.assign(kRegions, 0.0);
   wear.journal_depth.assign(kRegions, 0.0);
@@ -69,9 +70,9 @@ inline void add_joint(StageRecord& stage, double depth, double peak_force) {
   wear.sliding_distance = 1.5;
   wear.contact_time = 0.6;
   wear.impulse = 60.0;
-  stage.events = {{0, 0.05, 0.5, 0.12, -1.0, peak_force},
-                  {0, 0.70, 0.005, 0.30, 2.0, 0.5 * peak_force},
-                  {0, 1.00, 0.095, 0.01, 2.5, 100.0}};
+  stage.events = {{0, 0.05, 0.5, 0.12, -1.0, peak_force, 0.0, 0},
+                  {0, 0.70, 0.005, 0.30, 2.0, 0.5 * peak_force, -0.02, 3},
+                  {0, 1.00, 0.095, 0.01, 2.5, 100.0, 0.0, 0}};
 }
 
 inline StageRecord make_stage(const std::string& name) {

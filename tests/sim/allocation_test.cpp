@@ -115,7 +115,7 @@ TEST_P(Loop, OfThePressAllocatesNothing) {
   System system = compile(mechanism, assembly);
   for (const bool worn : {false, true}) {
     if (worn) {
-      for (std::size_t k = 0; k < 2; ++k) set_surfaces(system, k, RadialProfile(make_ripples()), RadialProfile{});
+      for (std::size_t k = 0; k < 2; ++k) set_surfaces(system, k, make_ripples(), {});
     }
     const Outcome outcome = run_motion(system, assembly, study, 0.2);
     EXPECT_FALSE(outcome.failed);

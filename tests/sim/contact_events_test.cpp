@@ -65,12 +65,16 @@ TEST(ContactEvents, GapsAreThoseOfTheSurfaces) {
   Attempt attempt(make_balls({{{0.12, -0.16}, {0.9, 0.2}, 3.0}}, {}, kNoStiffness));
   attempt.find_change(1e-3);
   const GapState& gap = attempt.start[0];
-  EXPECT_NEAR(gap.eccentricity, 0.2, 1e-15);  // roundings of numbers below one
-  EXPECT_NEAR(gap.eccentricity_rate, 0.6 * 0.9 - 0.8 * 0.2, 1e-15);
-  EXPECT_NEAR(gap.penetration, 0.2 - kBallClearance, 1e-15);
-  EXPECT_NEAR(gap.penetration_rate, gap.eccentricity_rate, 1e-15);
+  EXPECT_NEAR(gap.penetration, 0.2 - kBallClearance, 1e-15);  // roundings of numbers below one
+  EXPECT_NEAR(gap.reach, gap.penetration, 1e-15);
+  EXPECT_NEAR(gap.penetration_rate, 0.6 * 0.9 - 0.8 * 0.2, 1e-15);
+  EXPECT_EQ(gap.reach_rate, gap.penetration_rate);
+  EXPECT_EQ(gap.region_rate, 0.0);
   // The line of centres turns at (e × ė)/e² = 4.2 rad/s against the bearing, 1.2 rad/s against the ball.
-  EXPECT_NEAR(gap.direction_rate, (0.12 * 0.2 + 0.16 * 0.9) / 0.04, 1e-14);
+  set_surfaces(attempt.system, 0, {}, std::vector<double>(100, 1e-3));
+  attempt.find_change(1e-3);
+  EXPECT_NEAR(attempt.start[0].region_rate, 4.2 * 100.0 / (2.0 * std::numbers::pi), 1e-12);
+  EXPECT_NEAR(attempt.start[0].reach, 0.2 - kBallClearance - 1e-3, 1e-15);
 }
 
 TEST(ContactEvents, OnsetOfObliqueFlight) {
@@ -163,10 +167,10 @@ class WornBall : public testing::Test {
   static constexpr double kDepth = 0.01;
   static constexpr double kSpin = -2.0;  // [rad/s]: the line of centres, along x, passes the ball's regions in order
 
-  static RadialProfile make_ridge(std::size_t region) {
+  static std::vector<double> make_ridge(std::size_t region) {
     std::vector<double> depths(kRegions, kDepth);
     depths[region] = 0.0;
-    return RadialProfile(depths);
+    return depths;
   }
 
   // The centre stands at the clearance and this much of the wear; the ridge's top is at a third of it.
@@ -179,7 +183,7 @@ TEST_F(WornBall, RidgePassedWithinTheStepIsSeen) {
   // Steps of a quarter turn and more; eighths of the step would see nothing of a ridge two regions wide.
   for (const std::size_t region : {53U, 97U, 171U}) {
     Attempt attempt(make_ball(0.5));
-    set_surfaces(attempt.system, 0, RadialProfile{}, make_ridge(region));
+    set_surfaces(attempt.system, 0, {}, make_ridge(region));
     const double h = 0.25 * 2.0 * std::numbers::pi / -kSpin;
     const auto change = attempt.find_change(h);
     ASSERT_LT(attempt.start[0].penetration, 0.0);
@@ -187,7 +191,7 @@ TEST_F(WornBall, RidgePassedWithinTheStepIsSeen) {
     ASSERT_TRUE(change) << region;
     // There the depth is what the centre has moved out: the ridge's near flank.
     const double angle = -kSpin * change->share * h;
-    const RadialProfile::Value at = make_ridge(region).eval(angle);
+    const RadialProfile::Value at = RadialProfile(make_ridge(region)).eval(angle);
     EXPECT_NEAR(at.depth, 0.5 * kDepth, 1e-12);
     EXPECT_LT(at.slope, 0.0) << "entered, not left";
     EXPECT_NEAR(angle * kRegions / (2.0 * std::numbers::pi), static_cast<double>(region) + 0.5, 1.5);
@@ -196,7 +200,7 @@ TEST_F(WornBall, RidgePassedWithinTheStepIsSeen) {
 
 TEST_F(WornBall, RidgeThatIsTooLowIsNotTouched) {
   Attempt attempt(make_ball(0.33));
-  set_surfaces(attempt.system, 0, RadialProfile{}, make_ridge(97));
+  set_surfaces(attempt.system, 0, {}, make_ridge(97));
   EXPECT_FALSE(attempt.find_change(0.25 * 2.0 * std::numbers::pi / -kSpin));
 }
 
@@ -204,7 +208,7 @@ TEST_F(WornBall, FirstOfTwoRidgesWins) {
   std::vector<double> depths(kRegions, kDepth);
   depths[61] = depths[62] = depths[150] = 0.0;
   Attempt attempt(make_ball(0.5));
-  set_surfaces(attempt.system, 0, RadialProfile{}, RadialProfile(depths));
+  set_surfaces(attempt.system, 0, {}, depths);
   const auto change = attempt.find_change(0.6);
   ASSERT_TRUE(change);
   EXPECT_NEAR(change->share * 1.2 * kRegions / (2.0 * std::numbers::pi), 61.0, 1.0);

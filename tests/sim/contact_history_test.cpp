@@ -11,7 +11,7 @@ namespace {
 
 TEST(ContactHistory, KeepsOnsetPeakAndDuration) {
   ContactHistory history(2, 0.0);
-  history.begin(1, 2.0, 0.3, -0.7);
+  history.begin(1, {1, 2.0, 0.0, 0.3, -0.7, 0.0, 0.0, 0});
   history.watch(1, 5.0);
   history.watch(1, 9.0);
   history.watch(1, 4.0);
@@ -29,8 +29,8 @@ TEST(ContactHistory, KeepsOnsetPeakAndDuration) {
 
 TEST(ContactHistory, JointsDoNotMixAndStandInTheOrderOfTheirEnd) {
   ContactHistory history(2, 0.0);
-  history.begin(0, 1.0, 0.1, 0.0);
-  history.begin(1, 1.5, 0.2, 0.0);
+  history.begin(0, {0, 1.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0});
+  history.begin(1, {1, 1.5, 0.0, 0.2, 0.0, 0.0, 0.0, 0});
   history.watch(0, 7.0);
   history.watch(1, 3.0);
   history.end(1, 2.0);
@@ -44,10 +44,10 @@ TEST(ContactHistory, JointsDoNotMixAndStandInTheOrderOfTheirEnd) {
 
 TEST(ContactHistory, EveryContactBeginsAnew) {
   ContactHistory history(1, 0.0);
-  history.begin(0, 1.0, 0.1, 0.4);
+  history.begin(0, {0, 1.0, 0.0, 0.1, 0.4, 0.0, 0.0, 0});
   history.watch(0, 7.0);
   history.end(0, 1.5);
-  history.begin(0, 2.0, 0.2, 0.5);
+  history.begin(0, {0, 2.0, 0.0, 0.2, 0.5, 0.0, 0.0, 0});
   history.watch(0, 1.0);
   history.end(0, 2.5);
   ASSERT_EQ(history.events().size(), 2U);
@@ -57,10 +57,10 @@ TEST(ContactHistory, EveryContactBeginsAnew) {
 
 TEST(ContactHistory, LeavesOutWhatBeganTooEarly) {
   ContactHistory history(1, 4.0);
-  history.begin(0, 3.9, 0.1, 0.0);
+  history.begin(0, {0, 3.9, 0.0, 0.1, 0.0, 0.0, 0.0, 0});
   history.end(0, 5.0);
   EXPECT_TRUE(history.events().empty());
-  history.begin(0, 4.0, 0.1, 0.0);
+  history.begin(0, {0, 4.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0});
   history.end(0, 5.5);
   ASSERT_EQ(history.events().size(), 1U);
   EXPECT_EQ(history.events()[0].onset_time, 4.0);

@@ -26,7 +26,8 @@ struct Evaluated {
     std::ranges::copy(state.v, y.begin() + static_cast<std::ptrdiff_t>(equations.n_free()));
     // Clearances of next to nothing: a small move of every coordinate is then a penetration.
     for (Contact& contact : system.tables.contacts) {
-      contact.surfaces.journal_radius = contact.surfaces.bearing_radius - 1e-6;
+      auto& surfaces = std::get<RevoluteSurfaces>(contact.surfaces);
+      surfaces.journal_radius = surfaces.bearing_radius - 1e-6;
     }
     for (ContactLatch& latch : equations.latches) latch = {true, 0.05};
     for (std::size_t i = 0; i < equations.n_free(); ++i) y[i] += 1e-4 * (1.0 + static_cast<double>(i % 3));
@@ -97,7 +98,7 @@ TEST(MotionEquations, PowersBalanceTheChangeOfEnergy) {
     Evaluated at(mechanism);
     if (!at.system.tables.closures.empty()) continue;  // moved off its closures, which then do work
     for (std::size_t k = 0; k < at.system.tables.contacts.size(); ++k) {
-      set_surfaces(at.system, k, RadialProfile({1e-7, 3e-7, 2e-7, 0.0, 1e-7, 2e-7}), RadialProfile{});
+      set_surfaces(at.system, k, std::vector{1e-7, 3e-7, 2e-7, 0.0, 1e-7, 2e-7}, {});
     }
     at.eval();
     const double expected = at.power(kDriverWork) + at.power(kLoadWork) - at.power(kDamperLoss) -

@@ -26,14 +26,14 @@ struct Motion {
         began(integrator.begin(make_state(system, assembly))) {}
 
   // The gap of one contact at the integrator's own state, all anew.
-  RevoluteGap find_gap(std::size_t contact) const {
+  RevoluteGap find_contact_gap(std::size_t contact) const {
     Workspace workspace(system.tables);
     const double* y = integrator.y().data();
     const auto n_free = static_cast<std::size_t>(system.tables.counts.n_free());
     update_coordinates(system.tables, integrator.time(), y, y + n_free, workspace.coordinates);
     update_point_motions(system.tables, workspace);
     const Contact& at = system.tables.contacts[contact];
-    return find_revolute_gap(at.surfaces, find_contact_motion(at, workspace));
+    return find_revolute_gap(std::get<RevoluteSurfaces>(at.surfaces), find_contact_motion(at, workspace));
   }
 
   Study study;
@@ -74,7 +74,7 @@ TEST(MotionIntegrator, OnsetLandsJustBeforeTouchAndTurnsTheLatchWithTheNextStep)
   while (!motion.integrator.changing_contact()) ASSERT_TRUE(motion.integrator.advance(1.0));
   EXPECT_EQ(motion.integrator.changing_contact(), 0U);
   EXPECT_NEAR(motion.integrator.time(), 0.4 / 3.0, kOnsetTime);
-  EXPECT_LE(motion.find_gap(0).penetration, 0.0);
+  EXPECT_LE(motion.find_contact_gap(0).penetration, 0.0);
   EXPECT_FALSE(motion.integrator.equations().latches[0].in_contact) << "not yet";
   EXPECT_EQ(motion.integrator.statistics().onsets, 0);
   EXPECT_EQ(motion.integrator.find_sample(0, 0).normal_force, 0.0);
@@ -88,9 +88,10 @@ TEST(MotionIntegrator, OnsetLandsJustBeforeTouchAndTurnsTheLatchWithTheNextStep)
   EXPECT_FALSE(motion.integrator.changing_contact());
 
   while (!motion.integrator.changing_contact()) ASSERT_TRUE(motion.integrator.advance(1.0));
-  EXPECT_LE(motion.find_gap(0).penetration, 0.0) << "open when it parts, so that the next onset is not this one";
-  EXPECT_LT(motion.find_gap(0).penetration_rate, 0.0);
-  EXPECT_GT(motion.find_gap(0).penetration, -3.0 * kOnsetTime);
+  EXPECT_LE(motion.find_contact_gap(0).penetration, 0.0)
+      << "open when it parts, so that the next onset is not this one";
+  EXPECT_LT(motion.find_contact_gap(0).penetration_rate, 0.0);
+  EXPECT_GT(motion.find_contact_gap(0).penetration, -3.0 * kOnsetTime);
   ASSERT_TRUE(motion.integrator.advance(1.0));
   EXPECT_FALSE(motion.integrator.equations().latches[0].in_contact);
   EXPECT_EQ(motion.integrator.equations().latches[0].onset_speed, 0.0);
@@ -110,7 +111,7 @@ TEST(MotionIntegrator, TwoOnsetsAtOneInstant) {
     if (!motion.integrator.changing_contact()) continue;
     order.push_back(*motion.integrator.changing_contact());
     EXPECT_NEAR(motion.integrator.time(), 0.4 / 3.0, kOnsetTime);
-    EXPECT_LE(motion.find_gap(order.back()).penetration, 0.0);
+    EXPECT_LE(motion.find_contact_gap(order.back()).penetration, 0.0);
   }
   EXPECT_NE(order[0], order[1]);
   while (motion.integrator.time() < 0.2) ASSERT_TRUE(motion.integrator.advance(0.2));
@@ -126,7 +127,7 @@ void expect_contract(Motion& motion, double end, int least_onsets) {
     const auto changing = motion.integrator.changing_contact();
     for (std::size_t k = 0; k < motion.integrator.gaps().size(); ++k) {
       const bool open = !motion.integrator.equations().latches[k].in_contact;
-      const RevoluteGap gap = motion.find_gap(k);
+      const RevoluteGap gap = motion.find_contact_gap(k);
       if (open) {
         ASSERT_LE(gap.penetration, 0.0) << motion.integrator.time();
       }
@@ -162,7 +163,7 @@ TEST(MotionIntegrator, NoEntryIsPenetratedInTheWornPress) {
   Motion motion(oracle::make_nine_bar(), {});
   std::vector<double> depths(1000);
   for (std::size_t k = 0; k < depths.size(); ++k) depths[k] = 2e-5 * (1.0 + std::sin(0.7 * static_cast<double>(k)));
-  for (std::size_t k = 0; k < 2; ++k) set_surfaces(motion.system, k, RadialProfile(depths), RadialProfile{});
+  for (std::size_t k = 0; k < 2; ++k) set_surfaces(motion.system, k, depths, {});
   expect_contract(motion, 0.2, 20);
 }
 

@@ -13,6 +13,7 @@
 #include <set>
 #include <tuple>
 
+#include "gudgeon/sim/motion_equations.h"
 #include "gudgeon/system/poses.h"
 #include "tests/oracle/mechanisms.h"
 

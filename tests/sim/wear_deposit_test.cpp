@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <tuple>
 
 namespace gudgeon {
@@ -18,8 +19,7 @@ constexpr double kCoefficient = 8e-14;
 
 Contact make_contact() {
   Contact contact;
-  contact.surfaces.bearing_radius = 15e-3;
-  contact.surfaces.journal_radius = 14.5e-3;
+  contact.surfaces = RevoluteSurfaces{15e-3, 14.5e-3, {}, {}};
   contact.width = 20e-3;
   contact.bearing_wear = Archard{0.75 * kCoefficient};
   contact.journal_wear = Archard{0.25 * kCoefficient};
@@ -48,7 +48,7 @@ class Regions : public testing::TestWithParam<std::tuple<int, PressureDistributi
 TEST_P(Regions, ConstantLoadWearsEvenly) {
   Contact contact = make_contact();
   contact.pressure = pressure();
-  WearDeposit deposit(contact, Deposition::spread, n_regions());
+  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, n_regions());
   const int n_steps = 2 * n_regions();  // so that arcs begin at every region's edges alike
   for (int k = 0; k < n_steps; ++k) deposit.add(make_sample(2.0 * std::numbers::pi * k / n_steps), 1.0 / n_steps);
   const JointWear wear = deposit.summarize("J");
@@ -63,7 +63,7 @@ TEST_P(Regions, ConstantLoadWearsEvenly) {
 TEST_P(Regions, SpreadConservesVolume) {
   Contact contact = make_contact();
   contact.pressure = pressure();
-  WearDeposit deposit(contact, Deposition::spread, n_regions(), 20000.0);
+  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, n_regions(), 20000.0);
   for (int k = 0; k < 500; ++k) {
     ContactSample sample = make_sample(0.37 * k * k);
     sample.bearing_angle = 0.9 * k;
@@ -88,8 +88,8 @@ TEST(ParabolicPressure, WearsAStillArcDeeperAtItsMiddle) {
   Contact parabolic = uniform;
   parabolic.pressure = PressureDistribution::parabolic;
   for (const Deposition deposition : {Deposition::spread, Deposition::point}) {
-    WearDeposit a(uniform, deposition, 40000);
-    WearDeposit b(parabolic, deposition, 40000);
+    WearDeposit a(std::span(&uniform, 1), deposition, 40000);
+    WearDeposit b(std::span(&parabolic, 1), deposition, 40000);
     for (WearDeposit* deposit : {&a, &b}) deposit->add(make_sample(1.0), 1.0);
     const JointWear flat = a.summarize("J");
     const JointWear round = b.summarize("J");
@@ -107,7 +107,7 @@ TEST(WearDeposit, EnergyWearFollowsTheWorkOfFriction) {
   Contact contact = make_contact();
   contact.bearing_wear = EnergyWear{3e-13};
   contact.journal_wear = EnergyWear{1e-13};
-  WearDeposit deposit(contact, Deposition::spread, 1000);
+  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 1000);
   double work = 0.0;
   for (int k = 0; k < 200; ++k) {
     ContactSample sample = make_sample(0.1 * k);
@@ -130,7 +130,7 @@ TEST(WearDeposit, RunsInOverTheMagnifiedDistance) {
   double slid = 0.0;
   for (int stage = 0; stage < 3; ++stage) {
     contact.sliding_distance = slid;
-    WearDeposit deposit(contact, Deposition::spread, 100, kMagnification);
+    WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 100, kMagnification);
     for (int k = 0; k < 1000; ++k) deposit.add(make_sample(0.01 * k), 1e-4);
     const JointWear wear = deposit.summarize("J");
     const double after = slid + kMagnification * wear.sliding_distance;
@@ -145,7 +145,7 @@ TEST(WearDeposit, RunsInOverTheMagnifiedDistance) {
 TEST(WearDeposit, RunsInOverTheDepthOfEachSurface) {
   Contact contact = make_contact();
   contact.bearing_wear = contact.journal_wear = RunningInDepth{9e-14, 4e-14, 2e-6};
-  WearDeposit deposit(contact, Deposition::point, 100);
+  WearDeposit deposit(std::span(&contact, 1), Deposition::point, 100);
   ContactSample sample = make_sample(2.0);
   sample.bearing_depth = 2e-6;
   sample.journal_depth = 6e-6;
@@ -158,8 +158,8 @@ TEST(WearDeposit, RunsInOverTheDepthOfEachSurface) {
 // The paper's rule: the depth of the whole arc into one region, so that finer regions lose more volume.
 TEST(PointDeposition, GivesOneRegionTheWholeDepth) {
   const Contact contact = make_contact();
-  WearDeposit coarse(contact, Deposition::point, 100);
-  WearDeposit fine(contact, Deposition::point, 1000);
+  WearDeposit coarse(std::span(&contact, 1), Deposition::point, 100);
+  WearDeposit fine(std::span(&contact, 1), Deposition::point, 1000);
   for (WearDeposit* deposit : {&coarse, &fine}) deposit->add(make_sample(1.0), 1.0);
   const JointWear a = coarse.summarize("J");
   const JointWear b = fine.summarize("J");
@@ -172,7 +172,7 @@ TEST(PointDeposition, GivesOneRegionTheWholeDepth) {
 
 TEST(WearDeposit, LiesWhereTheSurfacesAre) {
   const Contact contact = make_contact();
-  WearDeposit deposit(contact, Deposition::point, 360);
+  WearDeposit deposit(std::span(&contact, 1), Deposition::point, 360);
   ContactSample sample = make_sample(2.0);
   sample.bearing_angle = 0.5;
   sample.journal_angle = -1.0;
@@ -186,7 +186,7 @@ TEST(WearDeposit, LiesWhereTheSurfacesAre) {
 
 TEST(WearDeposit, NothingWithoutForce) {
   const Contact contact = make_contact();
-  WearDeposit deposit(contact, Deposition::spread, 100);
+  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 100);
   ContactSample sample = make_sample(2.0);
   sample.normal_force = 0.0;
   sample.penetration = -1e-6;

@@ -30,6 +30,8 @@ class PressedMechanism {
       // Bars of 326 and 497 mm whose journals move by 0.7 mm.
       state_.q[system.topology.bodies[find_body(mechanism, "rod_2")].turn] += 0.7 / 326.0;
       state_.q[system.topology.bodies[find_body(mechanism, "rod_3")].turn] -= 0.7 / 497.0;
+    } else if (!latches_.empty() && counts.n_free_slides == 0) {
+      state_.q[0] += 2.5e-3;  // a rod of 250 mm
     } else if (!latches_.empty()) {
       state_.q[counts.n_free_turns] += 0.6e-3;
       if (!system.topology.loose.empty()) state_.q[counts.n_free_turns + 1] += 0.15e-3;
@@ -59,12 +61,12 @@ class PressedMechanism {
   BodyMotionFinder finder;
 
  private:
-  static RadialProfile make_wear(std::size_t n) {
+  static std::vector<double> make_wear(std::size_t n) {
     std::mt19937 random(static_cast<unsigned>(n));
     std::uniform_real_distribution<double> uniform(0.0, 3e-5);
     std::vector<double> depths(n);
     for (double& depth : depths) depth = uniform(random);
-    return RadialProfile(depths);
+    return depths;
   }
 
   State state_;

@@ -87,10 +87,11 @@ TEST(CompileTables, ContactsTakeRadiiAndLawsFromTheJoint) {
   const Mechanism mechanism = oracle::make_nine_bar();
   const Tables tables = compile_all(mechanism);
   for (const Contact& contact : tables.contacts) {
-    EXPECT_DOUBLE_EQ(contact.surfaces.bearing_radius, 15e-3);
-    EXPECT_DOUBLE_EQ(contact.surfaces.journal_radius, 14.5e-3);
+    const auto& surfaces = std::get<RevoluteSurfaces>(contact.surfaces);
+    EXPECT_DOUBLE_EQ(surfaces.bearing_radius, 15e-3);
+    EXPECT_DOUBLE_EQ(surfaces.journal_radius, 14.5e-3);
     EXPECT_DOUBLE_EQ(contact.width, 20e-3);
-    EXPECT_FALSE(contact.surfaces.is_worn());
+    EXPECT_FALSE(surfaces.is_worn());
     // 4/(3 · 2 · 0.91/200e9)
     EXPECT_NEAR(contact.stiffness_factor, 4.0 / (6.0 * 0.91 / 200e9), 1e-4);
     EXPECT_NE(contact.bearing_row, contact.journal_row);

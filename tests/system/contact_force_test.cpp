@@ -34,7 +34,7 @@ void set_normal_force(Contact& contact, const AnyNormalForce& any) {
 
 Contact make_contact(double clearance) {
   Contact contact;
-  contact.surfaces = {15e-3, 15e-3 - clearance, {}, {}};
+  contact.surfaces = RevoluteSurfaces{15e-3, 15e-3 - clearance, {}, {}};
   contact.stiffness_factor = find_stiffness_factor(kSteel, kSteel);
   contact.contact_modulus = find_contact_modulus(kSteel, kSteel);
   contact.width = 20e-3;
@@ -56,8 +56,9 @@ constexpr Surfaces kSurfaces[] = {
 
 Contact make_contact(const Surfaces& surfaces) {
   Contact contact = make_contact(0.5e-3);
-  if (surfaces.bearing_worn) contact.surfaces.bearing_wear = make_wear(20, 1);
-  if (surfaces.journal_worn) contact.surfaces.journal_wear = make_wear(26, 2);
+  auto& worn = std::get<RevoluteSurfaces>(contact.surfaces);
+  if (surfaces.bearing_worn) worn.bearing_wear = make_wear(20, 1);
+  if (surfaces.journal_worn) worn.journal_wear = make_wear(26, 2);
   contact.normal_direction = surfaces.direction;
   return contact;
 }
@@ -229,8 +230,11 @@ TEST(ContactForce, LeavesAFreePairItsMomentum) {
   const Assembly assembly = assemble(mechanism);
   for (const Surfaces& surfaces : kSurfaces) {
     System system = compile(mechanism, assembly);
-    const Contact worn = make_contact(surfaces);
-    set_surfaces(system, 0, worn.surfaces.bearing_wear, worn.surfaces.journal_wear);
+    const Contact contact = make_contact(surfaces);
+    const auto& worn = std::get<RevoluteSurfaces>(contact.surfaces);
+    auto& pair = std::get<RevoluteSurfaces>(system.tables.contacts[0].surfaces);
+    pair.bearing_wear = worn.bearing_wear;
+    pair.journal_wear = worn.journal_wear;
     system.tables.contacts[0].normal_direction = surfaces.direction;
     State state = make_state(system, assembly);
     state.q[system.tables.counts.n_free_turns] += 3e-4;

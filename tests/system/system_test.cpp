@@ -105,9 +105,9 @@ TEST(System, SlideOfAGuideIsMeasuredAlongIt) {
 TEST(System, SurfacesAreReplacedOneContactAtATime) {
   const Mechanism mechanism = oracle::make_nine_bar();
   System system = compile(mechanism, assemble(mechanism));
-  set_surfaces(system, 1, RadialProfile(std::vector<double>(10, 2e-6)), RadialProfile(std::vector<double>(10, 3e-6)));
-  EXPECT_FALSE(system.tables.contacts[0].surfaces.is_worn());
-  const RevoluteSurfaces& worn = system.tables.contacts[1].surfaces;
+  set_surfaces(system, 1, std::vector<double>(10, 2e-6), std::vector<double>(10, 3e-6));
+  EXPECT_FALSE(is_worn(system.tables.contacts[0].surfaces));
+  const auto& worn = std::get<RevoluteSurfaces>(system.tables.contacts[1].surfaces);
   EXPECT_EQ(worn.bearing_wear.least_depth(), 2e-6);
   EXPECT_EQ(worn.journal_wear.least_depth(), 3e-6);
   EXPECT_NEAR(worn.least_clearance(), 0.505e-3, 1e-16);

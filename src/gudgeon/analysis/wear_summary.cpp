@@ -29,10 +29,22 @@ void add_profile(std::vector<double>& sum, std::span<const double> added, const 
   std::ranges::transform(sum, added, sum.begin(), std::plus<>());
 }
 
-DeepestPoint find_deepest_sum(std::span<const double> worn, std::span<const double> added, const std::string& joint) {
+// The deepest region of surfaces that stand one after the other, each of n regions.
+DeepestPoint find_deepest_of(std::span<const double> depth, const JointWear& wear) {
+  DeepestPoint point = find_deepest(depth);
+  const std::size_t n = wear.n_regions();
+  if (wear.slot_length == 0.0 || n == 0 || point.depth == 0.0) return point;
+  const auto k = static_cast<std::size_t>(std::ranges::max_element(depth) - depth.begin());
+  point.surface = k / n;
+  point.angle = find_region_angle(k % n, n);
+  point.position = find_region_position(k % n, n, wear.slot_length);
+  return point;
+}
+
+DeepestPoint find_deepest_sum(std::span<const double> worn, std::span<const double> added, const JointWear& wear) {
   std::vector<double> sum(worn.begin(), worn.end());
-  add_profile(sum, added, joint);
-  return find_deepest(sum);
+  add_profile(sum, added, wear.joint);
+  return find_deepest_of(sum, wear);
 }
 
 double find_mean(std::span<const double> depth) {
@@ -71,6 +83,26 @@ std::vector<AngleRange> find_worn_ranges(std::span<const double> depth, double f
   return ranges;
 }
 
+std::vector<SideRange> find_worn_sides(std::span<const double> depth, double length, double fraction) {
+  const std::size_t n = depth.size() / 2;
+  const double threshold = fraction * find_deepest(depth).depth;
+  const double region = n > 0 ? length / static_cast<double>(n) : 0.0;
+  std::vector<SideRange> ranges;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::span<const double> at = depth.subspan(side * n, n);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (!(at[k] > threshold)) continue;
+      const std::size_t begin = k;
+      while (k < n && at[k] > threshold) ++k;
+      const auto edge = [&](std::size_t region_edge) {
+        return region * static_cast<double>(region_edge) - 0.5 * length;
+      };
+      ranges.push_back({side, edge(begin), edge(k)});
+    }
+  }
+  return ranges;
+}
+
 std::vector<double> find_accumulated_depth(const RunRecord& run, std::size_t stage_index, const std::string& joint) {
   std::vector<double> sum;
   for (std::size_t k = 0; k <= stage_index && k < run.stages.size(); ++k) {
@@ -86,16 +118,20 @@ std::vector<JointWearSummary> summarize_wear(const RunRecord& run, std::size_t s
     const std::vector<double> accumulated = find_accumulated_depth(run, stage_index, wear.joint);
     JointWearSummary& summary = summaries.emplace_back();
     summary.joint = wear.joint;
-    summary.added = find_deepest(wear.total_depth_added);
-    summary.accumulated = find_deepest(accumulated);
-    summary.bearing = find_deepest_sum(wear.bearing_depth, wear.bearing_depth_added, wear.joint);
-    summary.journal = find_deepest_sum(wear.journal_depth, wear.journal_depth_added, wear.joint);
+    summary.is_slot = wear.slot_length > 0.0;
+    summary.added = find_deepest_of(wear.total_depth_added, wear);
+    summary.accumulated = find_deepest_of(accumulated, wear);
+    summary.bearing = find_deepest_sum(wear.bearing_depth, wear.bearing_depth_added, wear);
+    summary.journal = find_deepest_sum(wear.journal_depth, wear.journal_depth_added, wear);
     summary.mean_depth_added = find_mean(wear.total_depth_added);
-    summary.worn = find_worn_ranges(accumulated);
+    if (summary.is_slot) {
+      summary.worn_sides = find_worn_sides(accumulated, wear.slot_length);
+    } else {
+      summary.worn = find_worn_ranges(accumulated);
+    }
     summary.removed_volume = wear.removed_volume;
     summary.archard_volume = wear.archard_volume;
-    const double clearance = wear.bearing_radius - wear.journal_radius;
-    summary.clearance_share = clearance > 0.0 ? summary.added.depth / clearance : 0.0;
+    summary.clearance_share = wear.clearance > 0.0 ? summary.added.depth / wear.clearance : 0.0;
   }
   return summaries;
 }

@@ -23,25 +23,36 @@ struct AngleRange {
   double end = 0.0;    ///< [deg] in (begin, begin + 360]
 };
 
+/// A part of one side of a slot.
+struct SideRange {
+  std::size_t side = 0;  ///< 0 left, 1 right
+  double begin = 0.0;    ///< [m] from the middle of the slot
+  double end = 0.0;
+};
+
 /// Largest value of a depth profile.
 struct DeepestPoint {
-  double depth = 0.0;  ///< [m]
-  double angle = 0.0;  ///< [rad] of the middle of its region
+  double depth = 0.0;       ///< [m]
+  double angle = 0.0;       ///< [rad] of the middle of its region, on a round surface
+  double position = 0.0;    ///< [m] of the middle of its region on a slot's side, from the middle of the slot
+  std::size_t surface = 0;  ///< of a slot 0 left, 1 right; of a block its corner
 };
 
 /// Wear of one joint up to and with one stage. "Total" depths are bearing and journal together, over the
-/// circumference of the bearing.
+/// circumference of the bearing or the sides of its slot.
 struct JointWearSummary {
   std::string joint;
-  DeepestPoint added;             ///< total, by this stage alone
-  DeepestPoint accumulated;       ///< total, by this stage and all before it
-  DeepestPoint bearing;           ///< accumulated, bearing alone
-  DeepestPoint journal;           ///< accumulated, journal alone, angle in the journal's body
-  double mean_depth_added = 0.0;  ///< [m] of the total over the whole circumference, by this stage
-  std::vector<AngleRange> worn;   ///< where the accumulated total exceeds kWornFraction of its largest
-  double removed_volume = 0.0;    ///< [m^3] by this stage
-  double archard_volume = 0.0;    ///< [m^3] ∫ k_d F ds of this stage
-  double clearance_share = 0.0;   ///< deepest added over the unworn radial clearance
+  DeepestPoint added;        ///< total, by this stage alone
+  DeepestPoint accumulated;  ///< total, by this stage and all before it
+  DeepestPoint bearing;      ///< accumulated, bearing alone
+  DeepestPoint journal;      ///< accumulated, journal alone, angle in the journal's body
+  bool is_slot = false;
+  double mean_depth_added = 0.0;      ///< [m] of the total over the whole bearing, by this stage
+  std::vector<AngleRange> worn;       ///< where the accumulated total exceeds kWornFraction of its largest
+  std::vector<SideRange> worn_sides;  ///< the same of a slot
+  double removed_volume = 0.0;        ///< [m^3] by this stage
+  double archard_volume = 0.0;        ///< [m^3] ∫ k_d F ds of this stage
+  double clearance_share = 0.0;       ///< deepest added over the unworn clearance
 };
 
 /// A stage that deepens a joint by more than this share of its clearance has been magnified further than the motion on
@@ -58,7 +69,10 @@ std::vector<JointWearSummary> summarize_wear(const RunRecord& run, std::size_t s
 /// The ranges where a profile over the circumference exceeds the fraction of its largest value.
 std::vector<AngleRange> find_worn_ranges(std::span<const double> depth, double fraction = kWornFraction);
 
-/// The deepest region; zero depth at angle zero for an empty profile.
+/// The same over the sides of a slot of that length [m]; depth holds the left side, then the right.
+std::vector<SideRange> find_worn_sides(std::span<const double> depth, double length, double fraction = kWornFraction);
+
+/// The deepest region of a circumference; zero depth at angle zero for an empty profile.
 DeepestPoint find_deepest(std::span<const double> depth);
 
 }  // namespace gudgeon

@@ -23,6 +23,9 @@ DrawnBody make_body(const Body& body, const BodyPose& pose) {
 }
 
 DrawnJointKind find_kind(const AnyJoint& joint) {
+  if (std::holds_alternative<PrismaticClearance>(joint)) return DrawnJointKind::prismatic_clearance;
+  if (std::holds_alternative<PinInSlotClearance>(joint)) return DrawnJointKind::pin_in_slot_clearance;
+  if (std::holds_alternative<PinInSlot>(joint)) return DrawnJointKind::pin_in_slot;
   if (has_clearance(joint)) return DrawnJointKind::clearance;
   if (std::holds_alternative<Prismatic>(joint)) return DrawnJointKind::prismatic;
   if (std::holds_alternative<Rigid>(joint)) return DrawnJointKind::rigid;
@@ -37,16 +40,21 @@ DrawnJoint make_joint(const Mechanism& mechanism, const Assembly& assembly, cons
                    find_body(mechanism, second.body),
                    find_anchor(mechanism, assembly, first),
                    find_anchor(mechanism, assembly, second)};
-  if (const auto* slide = std::get_if<Prismatic>(&joint.kind)) {
-    drawn.direction = slide->direction + assembly.poses[drawn.first_body].angle;
-  }
+  std::visit(
+      [&](const auto& kind) {
+        if constexpr (requires { kind.direction; }) {
+          drawn.direction = kind.direction + assembly.poses[drawn.first_body].angle;
+        }
+        if constexpr (requires { kind.bearing_length; }) drawn.length = kind.bearing_length;
+      },
+      joint.kind);
   return drawn;
 }
 
 /// Where the body turns: its joint with the frame, or else its origin.
 Vec2 find_pivot(const MechanismDrawing& drawing, int body, const BodyPose& pose) {
   for (const DrawnJoint& joint : drawing.joints) {
-    if (joint.kind == DrawnJointKind::prismatic) continue;
+    if (is_slide(joint.kind) || is_slotted(joint.kind)) continue;
     if (joint.first_body == body && drawing.bodies[joint.second_body].is_frame) return joint.first;
     if (joint.second_body == body && drawing.bodies[joint.first_body].is_frame) return joint.second;
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much of the circumference a journal touches when it is pressed into its bearing.
+// How much of its bearing a journal touches when it is pressed into it.
 #pragma once
 
 #include <cmath>
@@ -28,6 +28,14 @@ inline ContactArc find_contact_arc(double penetration, double bearing_radius, do
   const double versine = penetration * (2.0 * journal_radius - penetration) / (2.0 * eccentricity * bearing_radius);
   const double sine = std::sqrt(versine * (2.0 - versine));
   return {std::atan2(sine, 1.0 - versine), bearing_radius * sine};
+}
+
+/// The same on a flat bearing, R_i → ∞: R_i sin β → √(δ (2 R_j − δ)), again half the chord of the overlap and at most
+/// the journal's radius [m].
+inline double find_flat_contact_length(double penetration, double journal_radius) noexcept {
+  if (!(penetration > 0.0)) return 0.0;
+  if (penetration > journal_radius) return journal_radius;
+  return std::sqrt(penetration * (2.0 * journal_radius - penetration));
 }
 
 }  // namespace gudgeon

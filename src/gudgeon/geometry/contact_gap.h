@@ -38,6 +38,7 @@ struct ContactGap {
   double journal_lever = 0.0;         ///< n·(middle of the overlap − journal's point) [m]
   double bearing_depth = 0.0;         ///< h_i [m] worn off the bearing here
   double journal_depth = 0.0;         ///< h_j [m] worn off the journal here
+  double bearing_position = 0.0;      ///< s [m] along a flat bearing, from its middle; 0 on a round one
 };
 
 }  // namespace gudgeon

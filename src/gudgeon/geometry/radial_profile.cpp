@@ -9,6 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "gudgeon/geometry/uniform_spline.h"
+
 namespace gudgeon {
 
 RadialProfile::RadialProfile(std::vector<double> region_depths) : depths_(std::move(region_depths)) {
@@ -36,15 +38,8 @@ RadialProfile::Value RadialProfile::eval(double angle) const noexcept {
     return {nothing, nothing};
   }
   const double* h = &padded_[static_cast<std::size_t>(whole)];
-
-  const double g = 1.0 - f;
-  const double f2 = f * f;
-  const double g2 = g * g;
-  const double depth = (h[0] * g2 * g + h[1] * (4.0 - 6.0 * f2 + 3.0 * f2 * f) +
-                        h[2] * (4.0 - 6.0 * g2 + 3.0 * g2 * g) + h[3] * f2 * f) /
-                       6.0;
-  const double slope = 0.5 * (-h[0] * g2 + h[1] * (3.0 * f2 - 4.0 * f) - h[2] * (3.0 * g2 - 4.0 * g) + h[3] * f2);
-  return {depth, slope * regions_per_radian_};
+  const SplineValue spline = eval_uniform_spline(h, f);
+  return {spline.value, spline.slope * regions_per_radian_};
 }
 
 }  // namespace gudgeon

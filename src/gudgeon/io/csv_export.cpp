@@ -101,23 +101,39 @@ std::string make_statistics(const StageRecord& stage) {
   return csv.text();
 }
 
-std::size_t find_region_count(const JointWear& wear) {
+std::size_t find_row_count(const JointWear& wear) {
   std::size_t n = 0;
   for (const auto& field : kWearSeries) n = std::max(n, (wear.*field.member).size());
   return n;
 }
 
+// How many surfaces the longest series tells of.
+std::size_t find_surface_count(const JointWear& wear, std::size_t n_rows) {
+  const std::size_t n = wear.slot_length > 0.0 ? wear.n_regions() : n_rows;
+  return n == 0 ? 1 : n_rows / n;
+}
+
 std::string make_wear(const StageRecord& stage) {
   CsvText csv;
   csv.add("joint");
+  csv.add("surface");
   csv.add("angle [rad]");
+  csv.add("position [m]");
   for (const auto& field : kWearSeries) csv.add(name_column(field.name, field.unit));
   csv.end_row();
   for (const JointWear& wear : stage.wear) {
-    const std::size_t n = find_region_count(wear);
-    for (std::size_t k = 0; k < n; ++k) {
+    // One row a region; the corners of a block have more surfaces than the sides of its slot.
+    const std::size_t n_rows = find_row_count(wear);
+    const std::size_t n = std::max<std::size_t>(1, n_rows / find_surface_count(wear, n_rows));
+    for (std::size_t k = 0; k < n_rows; ++k) {
       csv.add(wear.joint);
-      csv.add(find_region_angle(k, n));
+      csv.add(static_cast<double>(k / n));
+      csv.add(find_region_angle(k % n, n));
+      if (wear.slot_length > 0.0) {
+        csv.add(find_region_position(k % n, n, wear.slot_length));
+      } else {
+        csv.add(std::string_view());
+      }
       for (const auto& field : kWearSeries) csv.add(wear.*field.member, k);
       csv.end_row();
     }
@@ -126,11 +142,14 @@ std::string make_wear(const StageRecord& stage) {
 }
 
 std::string make_events(const StageRecord& stage) {
-  CsvText csv =
-      make_header({"joint", "onset_time [s]", "duration [s]", "onset_speed [m/s]", "angle [rad]", "peak_force [N]"});
+  CsvText csv = make_header({"joint", "onset_time [s]", "duration [s]", "onset_speed [m/s]", "angle [rad]",
+                             "peak_force [N]", "position [m]", "contact"});
   for (const ContactEvent& e : stage.events) {
     csv.add(stage.wear.at(static_cast<std::size_t>(e.joint)).joint);
-    for (const double value : {e.onset_time, e.duration, e.onset_speed, e.angle, e.peak_force}) csv.add(value);
+    for (const double value :
+         {e.onset_time, e.duration, e.onset_speed, e.angle, e.peak_force, e.position, double(e.contact)}) {
+      csv.add(value);
+    }
     csv.end_row();
   }
   return csv.text();

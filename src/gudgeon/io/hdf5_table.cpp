@@ -104,6 +104,17 @@ Packing find_packing(const Hdf5Handle& dataset, const std::string& name, TableSh
   return packing;
 }
 
+// The columns of the shape but for those that this file may lack and does.
+std::vector<TableField> find_present(const Hdf5Handle& dataset, const std::string& name, TableShape shape) {
+  const Hdf5Handle type = check_id(H5Dget_type(dataset.id()), "cannot read the type of table", name);
+  std::vector<TableField> present;
+  for (const TableField& field : shape.fields) {
+    if (field.may_lack && H5Tget_member_index(type.id(), field.name) < 0) continue;
+    present.push_back(field);
+  }
+  return present;
+}
+
 void unpack_row(TableShape shape, const Packing& packing, const std::byte* packed, std::byte* row) {
   for (std::size_t f = 0; f < shape.fields.size(); ++f) {
     const TableField& field = shape.fields[f];
@@ -143,6 +154,8 @@ void write_table(const Hdf5Handle& parent, const std::string& name, TableShape s
 void read_table(const Hdf5Handle& parent, const std::string& name, TableShape shape,
                 const std::function<void(const void* row)>& take) {
   const Hdf5Handle dataset = open_dataset(parent, name);
+  const std::vector<TableField> present = find_present(dataset, name, shape);
+  shape.fields = present;
   const Packing packing = find_packing(dataset, name, shape);
   const std::size_t n_rows = find_row_count(dataset, name);
   if (n_rows == 0) return;

@@ -25,7 +25,8 @@ struct TableField {
   const char* name;
   const char* unit;
   FieldKind kind;
-  std::size_t offset;  ///< [bytes] of the member in the row
+  std::size_t offset;     ///< [bytes] of the member in the row
+  bool may_lack = false;  ///< files of before it was there are read with zero
 };
 
 /// The shape of a row in memory and on disk.

@@ -63,6 +63,8 @@ inline constexpr std::array kSolverReals{
 inline constexpr std::array kWearReals{
     Field<JointWear, double>{"bearing_radius", "m", &JointWear::bearing_radius},
     Field<JointWear, double>{"journal_radius", "m", &JointWear::journal_radius},
+    Field<JointWear, double>{"clearance", "m", &JointWear::clearance, true},
+    Field<JointWear, double>{"slot_length", "m", &JointWear::slot_length, true},
     Field<JointWear, double>{"width", "m", &JointWear::width},
     Field<JointWear, double>{"archard_volume", "m^3", &JointWear::archard_volume},
     Field<JointWear, double>{"removed_volume", "m^3", &JointWear::removed_volume},

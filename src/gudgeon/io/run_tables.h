@@ -44,6 +44,8 @@ inline constexpr std::array kEventFields{
     TableField{"onset_speed", "m/s", FieldKind::real, offsetof(ContactEvent, onset_speed)},
     TableField{"angle", "rad", FieldKind::real, offsetof(ContactEvent, angle)},
     TableField{"peak_force", "N", FieldKind::real, offsetof(ContactEvent, peak_force)},
+    TableField{"position", "m", FieldKind::real, offsetof(ContactEvent, position), true},
+    TableField{"contact", "1", FieldKind::index, offsetof(ContactEvent, contact), true},
 };
 inline constexpr TableShape kEventShape{kEventFields, sizeof(ContactEvent)};
 

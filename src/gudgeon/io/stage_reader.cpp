@@ -58,6 +58,8 @@ void read_wear(const Hdf5Handle& node, StageRecord& stage) {
     JointWear& wear = stage.wear.emplace_back();
     wear.joint = name;
     read_reals(joint, wear, kWearReals);
+    // Files of before slots have it in the radii.
+    if (!has_attribute(joint, "clearance")) wear.clearance = wear.bearing_radius - wear.journal_radius;
     for (const auto& field : kWearSeries) wear.*field.member = read_series(joint, field.name);
   }
 }

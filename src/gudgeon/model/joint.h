@@ -147,6 +147,14 @@ inline const ContactProperties* find_contact(const AnyJoint& joint) {
       joint);
 }
 
+/// c [m] of a clearance joint; zero for an ideal joint.
+inline double find_clearance(const AnyJoint& joint) {
+  if (const auto* revolute = std::get_if<RevoluteClearance>(&joint)) return revolute->radial_clearance;
+  if (const auto* guide = std::get_if<PrismaticClearance>(&joint)) return guide->clearance;
+  if (const auto* slot = std::get_if<PinInSlotClearance>(&joint)) return slot->clearance;
+  return 0.0;
+}
+
 inline bool has_clearance(const AnyJoint& joint) { return find_contact(joint) != nullptr; }
 
 /// The two points a joint connects; for a clearance joint the bearing comes first.

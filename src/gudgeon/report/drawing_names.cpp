@@ -85,8 +85,8 @@ void draw_legend(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& plan
                          {0.5 * (right - left + symbol_width) + 6.0, 12.0}});
     right = left - symbol_width - 26.0;
   };
-  const auto is_clearance = [](const JointSpot& spot) { return spot.kind == DrawnJointKind::clearance; };
-  if (std::ranges::any_of(plan.spots, is_clearance)) {
+  const auto is_clearance = [](const DrawnJoint& joint) { return shows_clearance(joint.kind); };
+  if (std::ranges::any_of(plan.drawing.joints, is_clearance)) {
     add_entry("clearance joint", 2.0 * kClearanceRadius, [&](Vec2 center) { draw_clearance(canvas, center); });
   }
   if (!plan.drawing.drivers.empty()) {
@@ -129,7 +129,7 @@ void draw_body_name(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& p
   const Vec2 half_size = find_half_size(name, style);
   if (plan.is_block[body]) {
     for (const DrawnJoint& joint : plan.drawing.joints) {
-      if (joint.kind != DrawnJointKind::prismatic || find_block_body(plan, joint) != body) continue;
+      if (!is_slide(joint.kind) || find_block_body(plan, joint) != body) continue;
       const Vec2 along = kBlockHalfSize.x * make_sheet_direction(joint.direction);
       const Vec2 center = find_block_center(plan, joint);
       return write_name(canvas, placer, name,
@@ -149,7 +149,7 @@ void draw_body_name(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& p
 }
 
 void draw_joint_name(SvgCanvas& canvas, LabelPlacer& placer, const JointSpot& spot) {
-  const bool has_clearance = spot.kind == DrawnJointKind::clearance;
+  const bool has_clearance = shows_clearance(spot.kind);
   const TextStyle style{.color = has_clearance ? ink::kClearance : ink::kLine, .size = kJointTextSize, .bold = true};
   const double radius = has_clearance ? kClearanceRadius : kJointRadius + 2.0;
   write_name(canvas, placer, spot.names, make_candidates_around(spot.center, radius, find_half_size(spot.names, style)),
@@ -189,7 +189,7 @@ void draw_names(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& plan)
   for (const JointSpot& spot : plan.spots) draw_joint_name(canvas, placer, spot);
   draw_bodies(false);
   for (const DrawnJoint& joint : plan.drawing.joints) {
-    if (joint.kind == DrawnJointKind::prismatic) draw_guide_name(canvas, placer, plan, joint);
+    if (is_slide(joint.kind)) draw_guide_name(canvas, placer, plan, joint);
   }
   canvas.end_group();
 }

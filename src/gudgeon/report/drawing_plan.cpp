@@ -33,14 +33,16 @@ bool find_is_block(const MechanismDrawing& drawing, int body) {
   const std::vector<Vec2>& points = drawing.bodies[body].points;
   const bool is_spot = std::ranges::all_of(points, [&](Vec2 point) { return point == points.front(); });
   return is_spot && std::ranges::any_of(drawing.joints, [&](const DrawnJoint& joint) {
-           return joint.kind == DrawnJointKind::prismatic && (joint.first_body == body || joint.second_body == body);
+           return is_slide(joint.kind) && (joint.first_body == body || joint.second_body == body);
          });
 }
 
 void add_spot(DrawingPlan& plan, const DrawnJoint& joint) {
   constexpr double kSameSpot = 2.0;  // [px]: circles nearer than this cannot be told apart
-  const Vec2 center = plan.view.place(joint.first);
-  const bool on_frame = plan.is_frame(joint.first_body) || plan.is_frame(joint.second_body);
+  // A pin stands where it is in its slot, and is held by nothing else.
+  const Vec2 center = plan.view.place(is_slotted(joint.kind) ? joint.second : joint.first);
+  const bool on_frame =
+      !is_slotted(joint.kind) && (plan.is_frame(joint.first_body) || plan.is_frame(joint.second_body));
   const auto same =
       std::ranges::find_if(plan.spots, [&](const JointSpot& spot) { return norm(spot.center - center) < kSameSpot; });
   if (same == plan.spots.end()) {
@@ -49,7 +51,7 @@ void add_spot(DrawingPlan& plan, const DrawnJoint& joint) {
   }
   same->names += ", " + joint.name;
   same->on_frame = same->on_frame || on_frame;
-  if (joint.kind == DrawnJointKind::clearance) same->kind = joint.kind;
+  if (shows_clearance(joint.kind)) same->kind = joint.kind;
 }
 
 }  // namespace
@@ -61,7 +63,7 @@ DrawingPlan make_plan(const MechanismDrawing& drawing) {
     plan.is_block.push_back(find_is_block(drawing, i));
   }
   for (const DrawnJoint& joint : drawing.joints) {
-    if (joint.kind != DrawnJointKind::prismatic) add_spot(plan, joint);
+    if (!is_slide(joint.kind)) add_spot(plan, joint);
   }
   return plan;
 }

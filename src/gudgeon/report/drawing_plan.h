@@ -26,7 +26,7 @@ struct DrawingPlan {
   DrawingView view;
   std::vector<std::vector<Vec2>> shapes;  ///< [px] hull corners of each body
   std::vector<bool> is_block;             ///< bodies shown only by their slider's block
-  std::vector<JointSpot> spots;           ///< of all joints but the prismatic ones
+  std::vector<JointSpot> spots;           ///< of all joints but guides
 
   [[nodiscard]] bool is_frame(int body) const { return drawing.bodies[body].is_frame; }
 };

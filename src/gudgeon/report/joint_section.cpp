@@ -26,6 +26,14 @@ std::string render_range(const AngleRange& range) {
   return fmt::format("{:.0f}–{:.0f}°", range.begin, end);
 }
 
+const char* name_side(std::size_t side) { return side == 0 ? "left" : "right"; }
+
+// Where on the bearing.
+std::string render_place(const DeepestPoint& point, bool is_slot) {
+  if (!is_slot) return format_degrees(point.angle);
+  return fmt::format("{} {:.1f} mm", name_side(point.surface), 1e3 * point.position);
+}
+
 std::string render_extrapolation(const std::string& stage, const JointWearSummary& wear) {
   return fmt::format(
       "  note: stage {} deepens joint {} by {:.0f} % of its clearance at once; its motion would have changed on the "
@@ -46,6 +54,17 @@ std::string render_ranges(std::span<const AngleRange> ranges) {
   return text;
 }
 
+std::string render_side_ranges(std::span<const SideRange> ranges) {
+  if (ranges.empty()) return "none";
+  std::string text;
+  for (const SideRange& range : ranges.first(std::min(ranges.size(), kRangesShown))) {
+    text += fmt::format("{}{} {:.1f} to {:.1f} mm", text.empty() ? "" : ", ", name_side(range.side), 1e3 * range.begin,
+                        1e3 * range.end);
+  }
+  if (ranges.size() > kRangesShown) text += fmt::format(" and {} more", ranges.size() - kRangesShown);
+  return text;
+}
+
 std::string render_wear(const RunRecord& run, bool color) {
   Table table({{"stage"},
                {"joint"},
@@ -56,16 +75,16 @@ std::string render_wear(const RunRecord& run, bool color) {
                {"at", Alignment::right},
                {"removed", Alignment::right},
                {"k_d F s", Alignment::right},
-               {"worn angles"}});
+               {"worn"}});
   std::string notes;
   for (std::size_t k = 0; k < run.stages.size(); ++k) {
     for (const JointWearSummary& wear : summarize_wear(run, k)) {
       if (wear.clearance_share > kFarthestExtrapolation) notes += render_extrapolation(run.stages[k].name, wear);
       table.add_row({run.stages[k].name, wear.joint, format_engineering(wear.added.depth, "m"),
-                     format_degrees(wear.added.angle), format_engineering(wear.mean_depth_added, "m"),
-                     format_engineering(wear.accumulated.depth, "m"), format_degrees(wear.accumulated.angle),
+                     render_place(wear.added, wear.is_slot), format_engineering(wear.mean_depth_added, "m"),
+                     format_engineering(wear.accumulated.depth, "m"), render_place(wear.accumulated, wear.is_slot),
                      format_engineering(wear.removed_volume, "m^3"), format_engineering(wear.archard_volume, "m^3"),
-                     render_ranges(wear.worn)});
+                     wear.is_slot ? render_side_ranges(wear.worn_sides) : render_ranges(wear.worn)});
     }
   }
   if (table.empty()) return "";

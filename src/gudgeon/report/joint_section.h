@@ -20,5 +20,7 @@ std::string render_contacts(const RunRecord& run, bool color);
 
 /// "32–120°, 246–328°"; ranges beyond the first few are counted.
 std::string render_ranges(std::span<const AngleRange> ranges);
+/// "left -20.0 to 12.5 mm, right …"
+std::string render_side_ranges(std::span<const SideRange> ranges);
 
 }  // namespace gudgeon

@@ -88,13 +88,59 @@ void draw_moving_guide(Sketch sketch, const DrawnJoint& joint, Vec2 block, Vec2 
   sketch.placer.add_obstacle_line(low, high, 6.0);
 }
 
+/// The two sides of a slot with clearance, its real length where that is longer than its block; the block stands
+/// between them with a gap that can be seen.
+void draw_clearance_guide(Sketch sketch, const DrawnJoint& joint, Vec2 block, Vec2 along) {
+  const DrawingPlan& plan = sketch.plan;
+  const bool slot_moves = !plan.is_frame(joint.first_body);
+  // A slot that goes past the sheet is shown around its block.
+  const double half_length = std::min(0.5 * joint.length * plan.view.scale, 2.0 * kGuideHalfLength);
+  const bool shows_whole = half_length >= kBlockHalfSize.x && half_length < 2.0 * kGuideHalfLength;
+  const Vec2 middle = shows_whole ? plan.view.place(joint.first) : block;
+  const Vec2 reach = std::max(half_length, kBlockHalfSize.x + 16.0) * along;
+  for (const double side : {1.0, -1.0}) {
+    const Vec2 outward = side * perp(along);
+    const Vec2 line = middle + (kBlockHalfSize.y + kShownClearance) * outward;
+    if (slot_moves) {
+      sketch.canvas.add_line(line - reach, line + reach,
+                             {.stroke = find_colors(joint.first_body).outline, .width = 4.0});
+    } else {
+      draw_ground_line(sketch.canvas, line, along, outward, norm(reach));
+    }
+    sketch.placer.add_obstacle_line(line + 4.0 * outward - reach, line + 4.0 * outward + reach, 12.0);
+  }
+}
+
+/// A slot around its pin; without a length given, as long as a guide is drawn.
+void draw_slots(Sketch sketch) {
+  sketch.canvas.begin_group("slots");
+  for (const DrawnJoint& joint : sketch.plan.drawing.joints) {
+    if (!is_slotted(joint.kind)) continue;
+    const bool clear = shows_clearance(joint.kind);
+    const double half_width = kJointRadius + (clear ? kShownClearance : 1.5);
+    const Vec2 along = make_sheet_direction(joint.direction);
+    const Vec2 middle = sketch.plan.view.place(joint.first);
+    const double to_pin = dot(sketch.plan.view.place(joint.second) - middle, along);
+    const double given = std::max(0.5 * joint.length * sketch.plan.view.scale - half_width, 0.0);
+    const double half = joint.length > 0.0 ? given : std::max(std::abs(to_pin) + 2.0 * kJointRadius, kBlockHalfSize.x);
+    const Vec2 reach = half * along;
+    const std::string_view color =
+        sketch.plan.is_frame(joint.first_body) ? ink::kGround : find_colors(joint.first_body).outline;
+    draw_slot(sketch.canvas, middle - reach, middle + reach, half_width, color);
+    sketch.placer.add_obstacle_line(middle - reach, middle + reach, 2.0 * half_width + 4.0);
+  }
+  sketch.canvas.end_group();
+}
+
 void draw_slides(Sketch sketch) {
   sketch.canvas.begin_group("slides");
   for (const DrawnJoint& joint : sketch.plan.drawing.joints) {
-    if (joint.kind != DrawnJointKind::prismatic) continue;
+    if (!is_slide(joint.kind)) continue;
     const Vec2 along = make_sheet_direction(joint.direction);
     const Vec2 block = find_block_center(sketch.plan, joint);
-    if (sketch.plan.is_frame(joint.first_body) || sketch.plan.is_frame(joint.second_body)) {
+    if (shows_clearance(joint.kind)) {
+      draw_clearance_guide(sketch, joint, block, along);
+    } else if (sketch.plan.is_frame(joint.first_body) || sketch.plan.is_frame(joint.second_body)) {
       draw_fixed_guide(sketch, block, along);
     } else {
       draw_moving_guide(sketch, joint, block, along);
@@ -111,6 +157,7 @@ void draw_joints(Sketch sketch) {
   for (const JointSpot& spot : sketch.plan.spots) {
     if (spot.kind == DrawnJointKind::clearance) draw_clearance(sketch.canvas, spot.center);
     if (spot.kind == DrawnJointKind::revolute) draw_revolute(sketch.canvas, spot.center);
+    if (is_slotted(spot.kind)) draw_pin(sketch.canvas, spot.center, shows_clearance(spot.kind));
     if (spot.kind == DrawnJointKind::rigid) draw_rigid(sketch.canvas, spot.center);
     const double radius = 1.0 + (spot.kind == DrawnJointKind::clearance ? kClearanceRadius : kJointRadius);
     sketch.placer.add_obstacle({spot.center, {radius, radius}});
@@ -187,6 +234,7 @@ std::string render_svg(const MechanismDrawing& drawing) {
   draw_bodies(sketch);
   draw_traces(sketch);
   draw_slides(sketch);
+  draw_slots(sketch);
   draw_joints(sketch);
   draw_drivers(sketch);
   draw_margins(canvas, placer, plan);

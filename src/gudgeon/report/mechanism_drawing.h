@@ -20,16 +20,36 @@ struct DrawnBody {
   Vec2 center_of_mass;       ///< [m] in the frame; drawn only when a body has a single point
 };
 
-enum class DrawnJointKind { revolute, clearance, prismatic, rigid };
+enum class DrawnJointKind {
+  revolute,
+  clearance,  ///< a journal in a bearing
+  prismatic,
+  prismatic_clearance,
+  pin_in_slot,
+  pin_in_slot_clearance,
+  rigid
+};
+
+inline bool is_slide(DrawnJointKind kind) {
+  return kind == DrawnJointKind::prismatic || kind == DrawnJointKind::prismatic_clearance;
+}
+inline bool is_slotted(DrawnJointKind kind) {
+  return kind == DrawnJointKind::pin_in_slot || kind == DrawnJointKind::pin_in_slot_clearance;
+}
+inline bool shows_clearance(DrawnJointKind kind) {
+  return kind == DrawnJointKind::clearance || kind == DrawnJointKind::prismatic_clearance ||
+         kind == DrawnJointKind::pin_in_slot_clearance;
+}
 
 struct DrawnJoint {
   std::string name;
   DrawnJointKind kind = DrawnJointKind::revolute;
-  int first_body = 0;      ///< index into bodies; the guide of a prismatic joint
+  int first_body = 0;      ///< index into bodies; the guide or slot
   int second_body = 0;     ///< index into bodies; what slides
   Vec2 first;              ///< [m] the first body's point in the frame
   Vec2 second;             ///< [m] the second body's point in the frame
-  double direction = 0.0;  ///< [rad] of a prismatic joint's line in the frame
+  double direction = 0.0;  ///< [rad] of the line of a guide or slot in the frame
+  double length = 0.0;     ///< [m] of the slot; 0 when it has none given
 };
 
 struct DrawnDriver {

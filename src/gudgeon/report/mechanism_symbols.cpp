@@ -98,6 +98,19 @@ void draw_clearance(SvgCanvas& canvas, Vec2 center) {
   canvas.add_circle(center, 0.5 * kClearanceRadius, {.fill = "#ffd8a8", .stroke = ink::kClearance, .width = 1.8});
 }
 
+void draw_slot(SvgCanvas& canvas, Vec2 from, Vec2 to, double half_width, std::string_view color) {
+  // A wide stroke under a narrower one leaves the outline; its round caps are the ends.
+  constexpr double kOutline = 2.2;
+  const std::array<Vec2, 2> ends = {from, to};
+  canvas.add_polygon(ends, {.stroke = color, .width = 2.0 * (half_width + kOutline)});
+  canvas.add_polygon(ends, {.stroke = ink::kPaper, .width = 2.0 * half_width});
+}
+
+void draw_pin(SvgCanvas& canvas, Vec2 center, bool has_clearance) {
+  if (!has_clearance) return draw_revolute(canvas, center);
+  canvas.add_circle(center, kJointRadius, {.fill = "#ffd8a8", .stroke = ink::kClearance, .width = 1.8});
+}
+
 void draw_rigid(SvgCanvas& canvas, Vec2 center) {
   const double r = kJointRadius;
   const std::array<Vec2, 4> corners = {center + Vec2{-r, -r}, center + Vec2{r, -r}, center + Vec2{r, r},

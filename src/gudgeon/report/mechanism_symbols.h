@@ -28,6 +28,7 @@ inline constexpr double kSupportHeight = 25.0;     ///< [px] of a frame pivot's 
 inline constexpr double kDriverRadius = 31.0;      ///< [px] of a driver's arc
 inline constexpr Vec2 kBlockHalfSize{25.0, 15.0};  ///< [px] of a slider, along and across its line
 inline constexpr double kGuideHalfLength = 64.0;   ///< [px]
+inline constexpr double kShownClearance = 5.0;     ///< [px] between a block and each side of its slot
 
 /// The fill and outline of one body.
 struct BodyColors {
@@ -48,6 +49,10 @@ void draw_ground_line(SvgCanvas& canvas, Vec2 center, Vec2 along, Vec2 below, do
 void draw_block(SvgCanvas& canvas, Vec2 center, Vec2 along, const BodyColors& colors);
 void draw_revolute(SvgCanvas& canvas, Vec2 center);
 void draw_clearance(SvgCanvas& canvas, Vec2 center);
+/// A straight slot with round ends about two points.
+void draw_slot(SvgCanvas& canvas, Vec2 from, Vec2 to, double half_width, std::string_view color);
+/// The pin of a slot.
+void draw_pin(SvgCanvas& canvas, Vec2 center, bool has_clearance);
 void draw_rigid(SvgCanvas& canvas, Vec2 center);
 /// A straight arrow with its head at `to`.
 void draw_arrow(SvgCanvas& canvas, Vec2 from, Vec2 to, std::string_view color);

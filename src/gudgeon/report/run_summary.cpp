@@ -93,7 +93,7 @@ std::string render_contents(const RunRecord& run, bool color) {
   for (const StageRecord& stage : run.stages) {
     std::string joints;
     for (const JointWear& wear : stage.wear) {
-      joints += fmt::format("{}{} ({})", joints.empty() ? "" : ", ", wear.joint, wear.bearing_depth.size());
+      joints += fmt::format("{}{} ({})", joints.empty() ? "" : ", ", wear.joint, wear.n_regions());
     }
     const std::string samples =
         stage.time.empty() ? std::string(kNoNumber) : format_count(static_cast<std::int64_t>(stage.time.size()));

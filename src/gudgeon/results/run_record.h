@@ -36,6 +36,9 @@ struct ContactEvent {
   double onset_speed = 0.0;  ///< [m/s] latched there
   double angle = 0.0;        ///< [rad] of the contact at onset, in the bearing body
   double peak_force = 0.0;   ///< [N]
+  double position = 0.0;     ///< [m] of the contact at onset along a slot, from its middle
+  std::int32_t contact = 0;  ///< which of the joint's: corners of a block left rear, left front, right rear, right
+                             ///< front; sides of a pin's slot left, right
 };
 
 /// Energies of a stage from its start, all in J. The residual would be zero in exact arithmetic.
@@ -73,11 +76,15 @@ struct SolverStatistics {
   double wall_time = 0.0;         ///< [s]; the only number that differs from run to run
 };
 
-/// Wear of one clearance joint: where the stage started and what it added.
+/// Wear of one clearance joint: where the stage started and what it added. Depths stand surface after surface, each
+/// with its regions: of a slot the left side, then the right, from rear to front; of a block its corners left rear,
+/// left front, right rear, right front; one surface of a round bearing or pin.
 struct JointWear {
   std::string joint;
-  double bearing_radius = 0.0;              ///< R_i [m], unworn
+  double bearing_radius = 0.0;              ///< R_i [m], unworn; infinite for a slot
   double journal_radius = 0.0;              ///< R_j [m], unworn
+  double clearance = 0.0;                   ///< c [m], unworn
+  double slot_length = 0.0;                 ///< [m] of either side of a slot; 0 for a round bearing
   double width = 0.0;                       ///< w [m]
   std::vector<double> bearing_depth;        ///< [m] a region, of the surface this stage ran on
   std::vector<double> journal_depth;        ///< [m]
@@ -89,6 +96,10 @@ struct JointWear {
   double sliding_distance = 0.0;            ///< [m] in contact, not magnified
   double contact_time = 0.0;                ///< [s] in contact
   double impulse = 0.0;                     ///< [N s] ∫ F dt
+
+  [[nodiscard]] std::size_t n_bearing_surfaces() const { return slot_length > 0.0 ? 2 : 1; }
+  /// Of each surface.
+  [[nodiscard]] std::size_t n_regions() const { return bearing_depth.size() / n_bearing_surfaces(); }
 };
 
 enum class StageStatus { finished, stopped, failed };

@@ -32,6 +32,33 @@ bool may_rise_above(double value_a, double slope_a, double value_b, double slope
   return false;
 }
 
+double count_regions(const RadialProfile& profile) {
+  return static_cast<double>(profile.region_depths().size()) / (2.0 * std::numbers::pi);
+}
+
+GapState find_gap_state(const RevoluteSurfaces& surfaces, const RelativeMotion& motion) noexcept {
+  const RevoluteGap gap = find_revolute_gap(surfaces, motion);
+  const double turning = gap.eccentricity > 0.0 ? cross(gap.normal, motion.velocity) / gap.eccentricity : 0.0;
+  const double fastest = std::max(std::abs(turning - motion.bearing_rate), std::abs(turning - motion.journal_rate));
+  const double per_radian = std::max(count_regions(surfaces.bearing_wear), count_regions(surfaces.journal_wear));
+  return {gap.eccentricity - surfaces.least_clearance(),
+          dot(gap.normal, motion.velocity),
+          fastest * per_radian,
+          gap.penetration,
+          gap.penetration_rate,
+          0.0};
+}
+
+GapState find_gap_state(const GuideSurfaces& surfaces, const RelativeMotion& motion) noexcept {
+  const GuideGap gap = find_guide_gap(surfaces, motion);
+  const double per_meter =
+      static_cast<double>(surfaces.bearing_wear.region_depths().size()) / (2.0 * surfaces.half_length);
+  const double sliding = std::abs(gap.position_rate) * per_meter;
+  const double rolling = std::abs(motion.journal_rate - motion.bearing_rate) * count_regions(surfaces.journal_wear);
+  return {gap.reach,       gap.reach_rate,       std::max(sliding, rolling),
+          gap.penetration, gap.penetration_rate, std::abs(gap.bearing_position) - surfaces.half_length};
+}
+
 }  // namespace
 
 ContactEvents::ContactEvents(const Tables& tables)
@@ -45,10 +72,7 @@ void ContactEvents::find_gaps(Workspace& workspace, std::vector<GapState>& gaps)
 GapState ContactEvents::find_gap(std::size_t contact, const Workspace& workspace) const noexcept {
   const Contact& at = tables_->contacts[contact];
   const RelativeMotion motion = find_contact_motion(at, workspace);
-  const RevoluteGap gap = find_revolute_gap(at.surfaces, motion);
-  const double turning = gap.eccentricity > 0.0 ? cross(gap.normal, motion.velocity) / gap.eccentricity : 0.0;
-  const double fastest = std::max(std::abs(turning - motion.bearing_rate), std::abs(turning - motion.journal_rate));
-  return {gap.eccentricity, dot(gap.normal, motion.velocity), fastest, gap.penetration, gap.penetration_rate};
+  return std::visit([&](const auto& surfaces) { return find_gap_state(surfaces, motion); }, at.surfaces);
 }
 
 GapState ContactEvents::find_gap_at(double share, std::size_t contact, const DenseStep& step, Workspace& workspace) {
@@ -115,21 +139,13 @@ int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, c
     return opens || (may_open && start.penetration_rate < 0.0 && end.penetration_rate > 0.0) ? kParts : 0;
   }
   const bool closes = end.penetration > 0.0;
-  const RevoluteSurfaces& surfaces = tables_->contacts[contact].surfaces;
-  if (!surfaces.is_worn()) {
+  if (!is_worn(tables_->contacts[contact].surfaces)) {
     const bool may_close = may_rise(start.penetration, start.penetration_rate, end.penetration, end.penetration_rate);
     return closes || (may_close && start.penetration_rate > 0.0 && end.penetration_rate < 0.0) ? kParts : 0;
   }
-  // The line of centres changes smoothly even where the surfaces do not.
-  const double least = surfaces.least_clearance();
-  if (!closes &&
-      !may_rise(start.eccentricity - least, start.eccentricity_rate, end.eccentricity - least, end.eccentricity_rate)) {
-    return 0;
-  }
-  const std::size_t n_regions =
-      std::max(surfaces.bearing_wear.region_depths().size(), surfaces.journal_wear.region_depths().size());
-  const double turned = h * std::max(start.direction_rate, end.direction_rate);
-  const double passed = turned / (2.0 * std::numbers::pi) * static_cast<double>(n_regions);
+  // What the least depths would leave changes smoothly even where the surfaces do not.
+  if (!closes && !may_rise(start.reach, start.reach_rate, end.reach, end.reach_rate)) return 0;
+  const double passed = h * std::max(start.region_rate, end.region_rate);
   return std::max(kParts, static_cast<int>(std::min(kPartsPerRegion * passed, 1e5)));
 }
 

@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Onset, peak, separation.
+// Peak and separation.
 #include "gudgeon/sim/contact_history.h"
 
 #include <algorithm>
 
 namespace gudgeon {
-
-void ContactHistory::begin(std::size_t contact, double time, double onset_speed, double angle) {
-  open_[contact] = {static_cast<std::int32_t>(contact), time, 0.0, onset_speed, angle, 0.0};
-}
 
 void ContactHistory::watch(std::size_t contact, double normal_force) {
   open_[contact].peak_force = std::max(open_[contact].peak_force, normal_force);

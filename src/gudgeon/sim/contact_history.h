@@ -10,12 +10,13 @@
 
 namespace gudgeon {
 
-/// Follows each joint's contact from onset to separation; those that begin before `first_counted` [s] are left out.
+/// Follows each contact from onset to separation; those that begin before `first_counted` [s] are left out.
 class ContactHistory {
  public:
   ContactHistory(std::size_t n_contacts, double first_counted) : open_(n_contacts), first_counted_(first_counted) {}
 
-  void begin(std::size_t contact, double time, double onset_speed, double angle);
+  /// The opening event tells joint, onset and place.
+  void begin(std::size_t contact, const ContactEvent& opening) { open_[contact] = opening; }
   void watch(std::size_t contact, double normal_force);
   void end(std::size_t contact, double time);
 
@@ -23,7 +24,7 @@ class ContactHistory {
   [[nodiscard]] std::vector<ContactEvent>& events() { return events_; }
 
  private:
-  std::vector<ContactEvent> open_;  // one a joint
+  std::vector<ContactEvent> open_;  // one a contact
   std::vector<ContactEvent> events_;
   double first_counted_;
 };

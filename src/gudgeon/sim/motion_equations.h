@@ -32,6 +32,9 @@ struct ContactSample {
   double journal_angle = 0.0;
   double bearing_radius = 0.0;
   double journal_radius = 0.0;
+  double bearing_position = 0.0;  ///< [m] along a slot
+  int bearing_surface = 0;
+  int journal_surface = 0;
   double penetration = 0.0;
   double normal_force = 0.0;
   double slip_speed = 0.0;
@@ -99,8 +102,7 @@ class MotionEquations {
     }
     const double potential = find_load_power(*tables_, workspace.coordinates) - workspace.loads.storing_power;
     power[kExchanged] = std::abs(power[kDriverWork]) + std::abs(potential) + std::abs(power[kLoadWork]) +
-                        power[kDamperLoss] + std::abs(power[kContactDamping]) +
-                        std::abs(power[kFrictionLoss]);
+                        power[kDamperLoss] + std::abs(power[kContactDamping]) + std::abs(power[kFrictionLoss]);
   }
 
   /// The last evaluation's contact, as wear sees it.
@@ -112,6 +114,9 @@ class MotionEquations {
             workspace.coordinates.angle[contact.journal_turn] + contact.journal_offset,
             forces.gap.bearing_radius,
             forces.gap.journal_radius,
+            forces.gap.bearing_position,
+            contact.bearing_surface,
+            contact.journal_surface,
             forces.gap.penetration,
             forces.normal_force,
             forces.slip_speed,

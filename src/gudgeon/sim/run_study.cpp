@@ -33,9 +33,12 @@ std::vector<double> add_depths(std::vector<double> depth, const std::vector<doub
 void rebuild_surfaces(System& system, const StageRecord& stage, double magnification) {
   for (std::size_t k = 0; k < stage.wear.size(); ++k) {
     const JointWear& wear = stage.wear[k];
-    set_surfaces(system, k, RadialProfile(add_depths(wear.bearing_depth, wear.bearing_depth_added)),
-                 RadialProfile(add_depths(wear.journal_depth, wear.journal_depth_added)));
-    system.tables.contacts[k].sliding_distance += magnification * wear.sliding_distance;
+    set_surfaces(system, k, add_depths(wear.bearing_depth, wear.bearing_depth_added),
+                 add_depths(wear.journal_depth, wear.journal_depth_added));
+    const ContactGroup& group = system.tables.contact_groups[k];
+    for (int c = group.first_contact; c < group.end_contact; ++c) {
+      system.tables.contacts[c].sliding_distance += magnification * wear.sliding_distance;
+    }
   }
 }
 

@@ -8,10 +8,7 @@
 #include <vector>
 
 #include "gudgeon/results/statistics.h"
-#include "gudgeon/sim/contact_events.h"
-#include "gudgeon/sim/motion_equations.h"
-#include "gudgeon/system/body_motion.h"
-#include "gudgeon/system/reactions.h"
+#include "gudgeon/sim/channel_table.h"
 
 namespace gudgeon {
 
@@ -41,28 +38,16 @@ class StageRecorder {
   void finish(StageRecord& stage);
 
  private:
-  void add_body_channels();
-  void add_clearance_channels();
-  void add_joint_channels();
-  void add_driver_channels();
-  void add_load_channels();
-  void add_energy_channels();
-  void add(std::string name, std::string symbol, std::string unit, std::string description, bool watched = false);
-  void fill_bodies();
-  void fill_clearances(const Workspace& workspace, std::span<const ContactLatch> latches);
-  void fill_joints();
-  void fill_loads(const Workspace& workspace);
-  void fill_energies(const Workspace& workspace, double initial_energy, const double* integrals);
-  void put(double value) { row_[next_++] = value; }
-  void put(Vec2 value) { put(value.x), put(value.y); }
+  void read_clearances(const Workspace& workspace);
 
   const System* system_;
   BodyMotionFinder motion_;
   ReactionFinder reaction_;
+  std::vector<RecordedChannel> table_;
   std::vector<Channel> channels_;
-  std::vector<bool> watched_;  // one a channel: its statistics are taken at every step
-  std::vector<double> row_;
-  std::size_t next_ = 0;
+  std::vector<ClearanceReader> readers_;  // one a clearance joint
+  Snapshot snapshot_;
+  std::vector<double> penetrations_;  // one a contact
   std::vector<double> watched_row_;
   std::vector<double> sampled_row_;
   std::vector<double> time_;

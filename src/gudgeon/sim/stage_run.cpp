@@ -29,8 +29,11 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
   record_.name = std::move(name);
   record_.cycle_time = cycle_time;
   record_.start_time = warm_up_end_;
-  for (const Contact& contact : system.tables.contacts) {
-    wear_.emplace_back(contact, study.deposition, study.regions, study.magnification);
+  const std::span<const Contact> contacts(system.tables.contacts);
+  for (const ContactGroup& group : system.tables.contact_groups) {
+    const auto first = static_cast<std::size_t>(group.first_contact);
+    const auto n = static_cast<std::size_t>(group.end_contact) - first;
+    wear_.emplace_back(contacts.subspan(first, n), study.deposition, study.regions, study.magnification);
   }
 }
 
@@ -51,6 +54,7 @@ StageRecord StageRun::run(const State& start, const std::stop_token& stop,
       break;
     }
     take_step(step_start);
+    stop_outside_slots();
     if (const int percent = static_cast<int>(100.0 * motion_.time() / end_); percent > reported) {
       reported = percent;
       if (progress) progress(motion_.time() / end_);
@@ -89,7 +93,7 @@ void StageRun::take_step(double step_start) {
   if (step_start >= warm_up_end_) deposit_wear();
   sample_until(now);
   if (now >= warm_up_end_) recorder_.watch(now, equations.workspace, motion_.gaps());
-  for (std::size_t k = 0; k < wear_.size(); ++k) {
+  for (std::size_t k = 0; k < equations.latches.size(); ++k) {
     if (equations.latches[k].in_contact) history_.watch(k, equations.workspace.contact_forces[k].normal_force);
   }
   if (const auto contact = motion_.changing_contact()) note_contact_change(*contact);
@@ -97,16 +101,19 @@ void StageRun::take_step(double step_start) {
 
 void StageRun::deposit_wear() {
   const double h = motion_.last_step();
-  for (std::size_t k = 0; k < wear_.size(); ++k) {
+  for (std::size_t g = 0; g < wear_.size(); ++g) {
+    const ContactGroup& group = system_.tables.contact_groups[g];
     bool touched = false;
-    for (int stage = 0; stage < motion_.n_stages(); ++stage) {
-      const double weight = motion_.find_weight(stage) * h;
-      const ContactSample& sample = motion_.find_sample(stage, k);
-      if (weight == 0.0 || sample.normal_force == 0.0) continue;
-      wear_[k].add(sample, weight);
-      touched = true;
+    for (auto k = static_cast<std::size_t>(group.first_contact); k < static_cast<std::size_t>(group.end_contact); ++k) {
+      for (int stage = 0; stage < motion_.n_stages(); ++stage) {
+        const double weight = motion_.find_weight(stage) * h;
+        const ContactSample& sample = motion_.find_sample(stage, k);
+        if (weight == 0.0 || sample.normal_force == 0.0) continue;
+        wear_[g].add(sample, weight);
+        touched = true;
+      }
     }
-    if (touched) wear_[k].add_contact_time(h);
+    if (touched) wear_[g].add_contact_time(h);
   }
 }
 
@@ -116,10 +123,33 @@ void StageRun::note_contact_change(std::size_t k) {
     history_.end(k, motion_.time());
     return;
   }
-  const RelativeMotion at = find_contact_motion(system_.tables.contacts[k], equations.workspace);
-  const double direction = std::atan2(at.offset.y, at.offset.x) - at.bearing_angle;
-  history_.begin(k, motion_.time(), motion_.gaps()[k].penetration_rate,
-                 std::remainder(direction, 2.0 * std::numbers::pi));
+  const Contact& contact = system_.tables.contacts[k];
+  const RelativeMotion at = find_contact_motion(contact, equations.workspace);
+  const ContactGap gap = find_gap(contact.surfaces, at);
+  const double direction = std::atan2(gap.normal.y, gap.normal.x) - at.bearing_angle;
+  ContactEvent opening;
+  opening.joint = contact.group;
+  opening.contact = static_cast<int>(k) - system_.tables.contact_groups[contact.group].first_contact;
+  opening.onset_time = motion_.time();
+  opening.onset_speed = motion_.gaps()[k].penetration_rate;
+  opening.angle = std::remainder(direction, 2.0 * std::numbers::pi);
+  opening.position = gap.bearing_position;
+  history_.begin(k, opening);
+}
+
+// Past the end of its slot a journal has nothing to touch: what follows would be another mechanism.
+void StageRun::stop_outside_slots() {
+  for (std::size_t k = 0; k < motion_.gaps().size(); ++k) {
+    if (!(motion_.gaps()[k].overrun > 0.0)) continue;
+    const Contact& contact = system_.tables.contacts[k];
+    record_.status = StageStatus::failed;
+    record_.message = fmt::format(
+        "E-NUM-005: stopped at t = {:.9g} s (cycle {}): joint '{}': its journal left its bearing, {:.4g} mm "
+        "past the end of the slot",
+        motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1,
+        system_.mechanism.joints[contact.joint].name, 1e3 * motion_.gaps()[k].overrun);
+    return;
+  }
 }
 
 // All samples that fall into the step just taken.
@@ -155,12 +185,13 @@ void StageRun::fail(const std::string& code, const std::string& reason) {
     return;
   }
   double deepest = 0.0;
-  std::size_t stiffest = wear_.size();
-  for (std::size_t k = 0; k < wear_.size(); ++k) {
+  const std::size_t n_contacts = motion_.gaps().size();
+  std::size_t stiffest = n_contacts;
+  for (std::size_t k = 0; k < n_contacts; ++k) {
     const double penetration = motion_.gaps()[k].penetration;
     if (motion_.equations().latches[k].in_contact && penetration > deepest) deepest = penetration, stiffest = k;
   }
-  if (stiffest == wear_.size()) {
+  if (stiffest == n_contacts) {
     motion_.evaluate_again();
     const int closure = find_weakest_closure(system_.tables, motion_.equations().workspace);
     if (closure < 0) return;
@@ -180,13 +211,15 @@ void StageRun::finish() {
   record_.end_time = now;
   record_.solver = motion_.statistics();
   record_.cycles = static_cast<int>(std::max(0.0, now - warm_up_end_) / record_.cycle_time + 1e-9);
-  for (std::size_t k = 0; k < wear_.size(); ++k) {
+  for (std::size_t k = 0; k < motion_.gaps().size(); ++k) {
     const bool ended = motion_.changing_contact() == k;
     if (motion_.equations().latches[k].in_contact && !ended) history_.end(k, now);
   }
   record_.events = std::move(history_.events());
-  for (std::size_t k = 0; k < wear_.size(); ++k) {
-    record_.wear.push_back(wear_[k].summarize(system_.mechanism.joints[system_.tables.contacts[k].joint].name));
+  for (std::size_t g = 0; g < wear_.size(); ++g) {
+    const Joint& joint = system_.mechanism.joints[system_.tables.contact_groups[g].joint];
+    record_.wear.push_back(wear_[g].summarize(joint.name));
+    record_.wear.back().clearance = find_clearance(joint.kind);
   }
   // A failed attempt may have left anything in the workspace: evaluate the last accepted state again.
   motion_.evaluate_again();

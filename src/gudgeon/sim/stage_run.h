@@ -30,6 +30,7 @@ class StageRun {
   void take_step(double step_start);
   void deposit_wear();
   void note_contact_change(std::size_t contact);
+  void stop_outside_slots();
   void sample_until(double time);
   void fail(const std::string& code, const std::string& reason);
   void finish();
@@ -39,7 +40,7 @@ class StageRun {
   MotionIntegrator motion_;
   StageRecorder recorder_;
   ContactHistory history_;
-  std::vector<WearDeposit> wear_;  // one a contact
+  std::vector<WearDeposit> wear_;  // one a clearance joint
   Workspace scratch_;
   StageRecord record_;
 

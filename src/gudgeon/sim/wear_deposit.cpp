@@ -4,7 +4,9 @@
 // Pressure, laws, and the two rules of deposition.
 #include "gudgeon/sim/wear_deposit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "gudgeon/geometry/contact_arc.h"
@@ -20,60 +22,82 @@ double find_wear_rate(const AnyWear& any, const WearContact& contact) noexcept {
   return std::visit([&](const auto& law) { return law(contact); }, any);
 }
 
-std::vector<double> magnified(const ArcAccumulator& deposits, double magnification) {
-  std::vector<double> depths = deposits.sum();
-  for (double& depth : depths) depth *= magnification;
+// Surface after surface.
+std::vector<double> find_magnified(const std::vector<ArcAccumulator>& deposits, double magnification) {
+  std::vector<double> depths;
+  for (const ArcAccumulator& deposit : deposits) {
+    for (const double depth : deposit.sum()) depths.push_back(depth * magnification);
+  }
   return depths;
 }
 
-// Depth over a circumference of equal regions, as volume.
-double find_volume(const std::vector<double>& depths, double radius, double width) {
+// Depth over the regions of n circumferences, as volume.
+double find_volume(const std::vector<double>& depths, std::size_t n, double radius, double width) {
   double sum = 0.0;
   for (const double depth : depths) sum += depth;
-  return sum * 2.0 * std::numbers::pi * radius / static_cast<double>(depths.size()) * width;
+  return sum * 2.0 * std::numbers::pi * radius * static_cast<double>(n) / static_cast<double>(depths.size()) * width;
 }
 
-std::vector<double> surface_depth(const RadialProfile& profile, std::size_t n_regions) {
-  return profile.is_worn() ? profile.region_depths() : std::vector<double>(n_regions, 0.0);
+// The depths that a stage ran on, into the place of one of n surfaces.
+template <class Profile>
+void copy_depths(const Profile& profile, int surface, std::size_t n, std::vector<double>& depths) {
+  if (!profile.is_worn()) return;
+  const auto first = static_cast<std::size_t>(surface) * (depths.size() / n);
+  std::ranges::copy(profile.region_depths(), depths.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
 }  // namespace
 
-WearDeposit::WearDeposit(const Contact& contact, Deposition deposition, int n_regions, double magnification)
-    : contact_(&contact),
-      deposition_(deposition),
-      magnification_(magnification),
-      bearing_(static_cast<std::size_t>(n_regions)),
-      journal_(static_cast<std::size_t>(n_regions)),
-      total_(static_cast<std::size_t>(n_regions)) {}
+WearDeposit::WearDeposit(std::span<const Contact> contacts, Deposition deposition, int n_regions, double magnification)
+    : contacts_(contacts), deposition_(deposition), magnification_(magnification) {
+  if (const auto* slot = std::get_if<GuideSurfaces>(&contacts.front().surfaces)) {
+    slot_length_ = 2.0 * slot->half_length;
+    bearing_radius_ = slot_length_ / (2.0 * std::numbers::pi);
+    journal_radius_ = slot->journal_radius;
+  } else {
+    const auto& round = std::get<RevoluteSurfaces>(contacts.front().surfaces);
+    bearing_radius_ = round.bearing_radius;
+    journal_radius_ = round.journal_radius;
+  }
+  const ArcAccumulator none(static_cast<std::size_t>(n_regions));
+  for (const Contact& contact : contacts) {
+    bearing_.resize(std::max(bearing_.size(), static_cast<std::size_t>(contact.bearing_surface) + 1), none);
+    journal_.resize(std::max(journal_.size(), static_cast<std::size_t>(contact.journal_surface) + 1), none);
+  }
+  total_ = bearing_;
+}
 
 void WearDeposit::add(const ContactSample& sample, double weight) noexcept {
   if (!(sample.normal_force > 0.0)) return;
+  const Contact& contact = contacts_.front();  // its laws and width are those of all
   const double speed = std::abs(sample.slip_speed);
-  const double length = find_contact_arc(sample.penetration, sample.bearing_radius, sample.journal_radius).length;
-  const double pressure = sample.normal_force / (contact_->width * length);
+  const double length = slot_length_ > 0.0
+                            ? find_flat_contact_length(sample.penetration, sample.journal_radius)
+                            : find_contact_arc(sample.penetration, sample.bearing_radius, sample.journal_radius).length;
+  const double pressure = sample.normal_force / (contact.width * length);
   // Half-way through this part of the step: the sum over the parts is then a midpoint rule in the distance.
   const double distance = sliding_distance_ + 0.5 * weight * speed;
   WearContact wear{pressure, speed, std::abs(sample.friction_force) / sample.normal_force, sample.bearing_depth,
-                   contact_->sliding_distance + magnification_ * distance};
-  const double bearing_depth = weight * find_wear_rate(contact_->bearing_wear, wear);
+                   contact.sliding_distance + magnification_ * distance};
+  const double bearing_depth = weight * find_wear_rate(contact.bearing_wear, wear);
   wear.depth = sample.journal_depth;
-  const double journal_depth = weight * find_wear_rate(contact_->journal_wear, wear);
+  const double journal_depth = weight * find_wear_rate(contact.journal_wear, wear);
   sliding_distance_ += weight * speed;
   impulse_ += weight * sample.normal_force;
-  volume_ += (bearing_depth + journal_depth) * length * contact_->width;
+  volume_ += (bearing_depth + journal_depth) * length * contact.width;
 
-  const double direction = std::atan2(sample.normal.y, sample.normal.x);
-  const double bearing_at = direction - sample.bearing_angle;
   // As angles of the unworn radii, so that depth times circumference is the volume removed.
-  const double bearing_width = length / contact_->surfaces.bearing_radius;
-  lay(bearing_, bearing_at, bearing_width, bearing_depth);
-  lay(journal_, direction - sample.journal_angle, length / contact_->surfaces.journal_radius, journal_depth);
-  lay(total_, bearing_at, bearing_width, bearing_depth + journal_depth);
+  const double bearing_width = length / bearing_radius_;
+  const double bearing_at = find_bearing_angle(sample, bearing_width);
+  const double journal_at = std::atan2(sample.normal.y, sample.normal.x) - sample.journal_angle;
+  const auto bearing_surface = static_cast<std::size_t>(sample.bearing_surface);
+  lay(bearing_[bearing_surface], bearing_at, bearing_width, bearing_depth);
+  lay(journal_[static_cast<std::size_t>(sample.journal_surface)], journal_at, length / journal_radius_, journal_depth);
+  lay(total_[bearing_surface], bearing_at, bearing_width, bearing_depth + journal_depth);
 }
 
 void WearDeposit::lay(ArcAccumulator& surface, double angle, double width, double mean_depth) const noexcept {
-  const bool parabolic = contact_->pressure == PressureDistribution::parabolic;
+  const bool parabolic = contacts_.front().pressure == PressureDistribution::parabolic;
   if (deposition_ == Deposition::point) {
     surface.add_point(angle, parabolic ? kParabolaPeak * mean_depth : mean_depth);
   } else if (parabolic) {
@@ -83,20 +107,37 @@ void WearDeposit::lay(ArcAccumulator& surface, double angle, double width, doubl
   }
 }
 
+// Where the middle of the contact is, so that none of it lies past the ends of a slot.
+double WearDeposit::find_bearing_angle(const ContactSample& sample, double width) const noexcept {
+  if (slot_length_ == 0.0) return std::atan2(sample.normal.y, sample.normal.x) - sample.bearing_angle;
+  const double at = (sample.bearing_position + 0.5 * slot_length_) / bearing_radius_;
+  const double margin = std::min(0.5 * width, std::numbers::pi);
+  return std::clamp(at, margin, 2.0 * std::numbers::pi - margin);
+}
+
 JointWear WearDeposit::summarize(const std::string& joint) const {
   JointWear wear;
   wear.joint = joint;
-  wear.bearing_radius = contact_->surfaces.bearing_radius;
-  wear.journal_radius = contact_->surfaces.journal_radius;
-  wear.width = contact_->width;
-  wear.bearing_depth_added = magnified(bearing_, magnification_);
-  wear.journal_depth_added = magnified(journal_, magnification_);
-  wear.total_depth_added = magnified(total_, magnification_);
-  wear.bearing_depth = surface_depth(contact_->surfaces.bearing_wear, wear.bearing_depth_added.size());
-  wear.journal_depth = surface_depth(contact_->surfaces.journal_wear, wear.journal_depth_added.size());
+  wear.bearing_radius = slot_length_ > 0.0 ? std::numeric_limits<double>::infinity() : bearing_radius_;
+  wear.journal_radius = journal_radius_;
+  wear.slot_length = slot_length_;
+  wear.width = contacts_.front().width;
+  wear.bearing_depth_added = find_magnified(bearing_, magnification_);
+  wear.journal_depth_added = find_magnified(journal_, magnification_);
+  wear.total_depth_added = find_magnified(total_, magnification_);
+  wear.bearing_depth.assign(wear.bearing_depth_added.size(), 0.0);
+  wear.journal_depth.assign(wear.journal_depth_added.size(), 0.0);
+  for (const Contact& contact : contacts_) {
+    std::visit(
+        [&](const auto& surfaces) {
+          copy_depths(surfaces.bearing_wear, contact.bearing_surface, bearing_.size(), wear.bearing_depth);
+          copy_depths(surfaces.journal_wear, contact.journal_surface, journal_.size(), wear.journal_depth);
+        },
+        contact.surfaces);
+  }
   wear.archard_volume = volume_ * magnification_;
-  wear.removed_volume = find_volume(wear.bearing_depth_added, wear.bearing_radius, wear.width) +
-                        find_volume(wear.journal_depth_added, wear.journal_radius, wear.width);
+  wear.removed_volume = find_volume(wear.bearing_depth_added, bearing_.size(), bearing_radius_, wear.width) +
+                        find_volume(wear.journal_depth_added, journal_.size(), journal_radius_, wear.width);
   wear.sliding_distance = sliding_distance_;
   wear.contact_time = contact_time_;
   wear.impulse = impulse_;

@@ -4,6 +4,8 @@
 // Wear of one clearance joint, laid down region by region while a stage runs.
 #pragma once
 
+#include <span>
+
 #include "gudgeon/geometry/arc_accumulator.h"
 #include "gudgeon/model/study.h"
 #include "gudgeon/results/run_record.h"
@@ -15,11 +17,13 @@ namespace gudgeon {
 /// its mean pressure F/(w L) and with what holds at its middle; as they are proportional to the pressure, its
 /// distribution is that of the depth. Spread deposition lays the depth over the arc, so that the removed volume does
 /// not depend on the number of regions; point deposition gives the depth at the middle to the one region of the contact
-/// point.
+/// point. Each side of a slot is laid out as a circumference of its length whose ends do not meet; a contact that
+/// reaches past an end wears the last part of the side.
 class WearDeposit {
  public:
-  /// What the stage wears is handed out times the magnification, and the laws see the sliding distance so.
-  WearDeposit(const Contact& contact, Deposition deposition, int n_regions, double magnification = 1.0);
+  /// The contacts of one joint. What the stage wears is handed out times the magnification, and the laws see the
+  /// sliding distance so.
+  WearDeposit(std::span<const Contact> contacts, Deposition deposition, int n_regions, double magnification = 1.0);
 
   /// One stage of an accepted step, weight [s] being its share of the step's length. Negative weights are part of the
   /// integrator's rule.
@@ -32,13 +36,17 @@ class WearDeposit {
 
  private:
   void lay(ArcAccumulator& surface, double angle, double width, double mean_depth) const noexcept;
+  [[nodiscard]] double find_bearing_angle(const ContactSample& sample, double width) const noexcept;
 
-  const Contact* contact_;
+  std::span<const Contact> contacts_;
   Deposition deposition_;
   double magnification_;
-  ArcAccumulator bearing_;
-  ArcAccumulator journal_;
-  ArcAccumulator total_;  // both surfaces, over the bearing's circumference
+  double slot_length_ = 0.0;             // [m]; 0 for a round bearing
+  double bearing_radius_ = 0.0;          // [m] of the circumference its regions stand for
+  double journal_radius_ = 0.0;          // [m]
+  std::vector<ArcAccumulator> bearing_;  // one a surface
+  std::vector<ArcAccumulator> journal_;  // one a surface
+  std::vector<ArcAccumulator> total_;    // both bodies, over the bearing's surfaces
   double volume_ = 0.0;
   double sliding_distance_ = 0.0;
   double impulse_ = 0.0;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "gudgeon/system/compile_closures.h"
+#include "gudgeon/system/compile_contacts.h"
 #include "gudgeon/system/compile_loads.h"
 #include "gudgeon/system/kinetic_terms.h"
 #include "gudgeon/system/tables.h"
@@ -47,7 +48,7 @@ class TableCompiler {
     number_slots();
     fill_kinetic_tables();
     fill_closure_slots();
-    compile_contacts();
+    compile_contacts(mechanism_, topology_, tables_);
     compile_loads(mechanism_, topology_, tables_);
     index_points();
     return std::move(tables_);
@@ -177,49 +178,11 @@ class TableCompiler {
     }
   }
 
-  void compile_contacts() {
-    for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
-      if (const auto* joint = std::get_if<RevoluteClearance>(&mechanism_.joints[j].kind)) add_contact(j, *joint);
-    }
-  }
-
   void index_points() {
     for (const PointChain::Row& row : tables_.points.rows()) {
       tables_.chain_index_turn.push_back(tables_.find_turn_index(row.turn));
       tables_.chain_index_slide.push_back(tables_.find_slide_index(row.slide));
     }
-  }
-
-  void add_contact(int j, const RevoluteClearance& joint) {
-    const BodyNode& bearing = topology_.bodies[find_body(mechanism_, joint.bearing.body)];
-    const BodyNode& journal = topology_.bodies[find_body(mechanism_, joint.journal.body)];
-    Contact contact;
-    contact.joint = j;
-    contact.bearing_row = tables_.points.add(find_anchor_path(joint.bearing), topology_.counts);
-    contact.journal_row = tables_.points.add(find_anchor_path(joint.journal), topology_.counts);
-    contact.bearing_turn = bearing.turn;
-    contact.journal_turn = journal.turn;
-    contact.bearing_offset = bearing.offset;
-    contact.journal_offset = journal.offset;
-    contact.bearing_index = tables_.find_turn_index(bearing.turn);
-    contact.journal_index = tables_.find_turn_index(journal.turn);
-    contact.surfaces.bearing_radius = joint.bearing_radius;
-    contact.surfaces.journal_radius = joint.bearing_radius - joint.radial_clearance;
-    contact.stiffness_factor = find_stiffness_factor(joint.contact.bearing_material, joint.contact.journal_material);
-    contact.contact_modulus = find_contact_modulus(joint.contact.bearing_material, joint.contact.journal_material);
-    contact.damping_factor =
-        std::visit([](const auto& law) { return law.damping_factor(); }, joint.contact.normal_force);
-    contact.width = joint.width;
-    contact.normal_force = joint.contact.normal_force;
-    contact.friction = joint.contact.friction;
-    if (has_bristle(contact.friction)) contact.bristle = tables_.n_bristles++;
-    contact.bristle_scale = find_bristle_scale(contact.friction);
-    contact.bearing_wear = joint.contact.bearing_wear;
-    contact.journal_wear = joint.contact.journal_wear;
-    contact.onset_speed_floor = joint.contact.onset_speed_floor;
-    contact.normal_direction = joint.contact.normal_direction;
-    contact.pressure = joint.contact.pressure;
-    tables_.contacts.push_back(std::move(contact));
   }
 
   const Mechanism& mechanism_;

@@ -13,7 +13,7 @@ namespace gudgeon {
 
 namespace {
 
-double find_slip_speed(const RevoluteGap& gap, const RelativeMotion& motion) noexcept {
+double find_slip_speed(const ContactGap& gap, const RelativeMotion& motion) noexcept {
   return dot(perp(gap.normal), motion.velocity) + motion.journal_rate * gap.journal_lever -
          motion.bearing_rate * gap.bearing_lever;
 }
@@ -62,8 +62,8 @@ RelativeMotion find_contact_motion(const Contact& contact, const Coordinates& co
 ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
                                   double bristle) noexcept {
   ContactForces forces;
-  forces.gap = find_revolute_gap(contact.surfaces, motion);
-  const RevoluteGap& gap = forces.gap;
+  forces.gap = find_gap(contact.surfaces, motion);
+  const ContactGap& gap = forces.gap;
   if (!latch.in_contact) return forces;
   if (gap.penetration <= 0.0) {  // NaN goes on, to be seen
     if (contact.bristle >= 0) {
@@ -108,8 +108,12 @@ ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& 
     forces.torque_on_bearing -= normal.force * gap.bearing_gradient;
     forces.torque_on_journal -= normal.force * gap.journal_gradient;
   } else {
+    // About the bearing's point; none where n is the line of centres.
+    const double torque = normal.force * cross(motion.offset, gap.normal);
     forces.force_on_journal -= normal.force * gap.normal;
-    forces.surface_power -= normal.force * (dot(gap.normal, motion.velocity) - gap.penetration_rate);
+    forces.torque_on_bearing += torque;
+    forces.surface_power +=
+        torque * motion.bearing_rate - normal.force * (dot(gap.normal, motion.velocity) - gap.penetration_rate);
   }
   return forces;
 }

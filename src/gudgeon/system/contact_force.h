@@ -1,18 +1,22 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The forces between the two worn surfaces of a revolute clearance joint.
+// The forces between a journal and a surface of its bearing, both worn.
 #pragma once
 
-#include "gudgeon/geometry/revolute_gap.h"
+#include "gudgeon/geometry/contact_surfaces.h"
 #include "gudgeon/model/joint.h"
 
 namespace gudgeon {
 
-/// A clearance joint compiled: its surfaces, its laws, and where its points and bodies are in the tables.
+/// A contact of a clearance joint compiled: its surfaces, its laws, and where its points and bodies are in the tables.
 struct Contact {
-  int joint = 0;        ///< index into Mechanism::joints
-  int bearing_row = 0;  ///< of the bearing's centre in the chain of points
+  int joint = 0;            ///< index into Mechanism::joints
+  int group = 0;            ///< index into Tables::contact_groups
+  int bearing_surface = 0;  ///< which of the bearing's surfaces: 0, or for a slot 0 left and 1 right
+  int journal_surface = 0;  ///< which of the journal's: 0, or for a block its corner
+  Vec2 journal_center;      ///< [m] centre of the touching circle in the journal's body
+  int bearing_row = 0;      ///< of the bearing's centre in the chain of points
   int journal_row = 0;
   int bearing_turn = 0;
   int journal_turn = 0;
@@ -21,7 +25,7 @@ struct Contact {
   int bearing_index = 0;  ///< equation of the bearing's turn
   int journal_index = 0;
 
-  RevoluteSurfaces surfaces;
+  ContactSurfaces surfaces;
   double stiffness_factor = 0.0;  ///< 4/(3π(σ_i + σ_j)) [Pa], σ = (1 − ν²)/(πE)
   double contact_modulus = 0.0;   ///< E* [Pa], 1/E* = (1 − ν_i²)/E_i + (1 − ν_j²)/E_j
   double damping_factor = 0.0;    ///< χ [1] of the law of normal force
@@ -48,7 +52,7 @@ struct ContactLatch {
 /// surfaces of a latched contact stand a hair apart, before they touch or once they part, its bristle has its rate
 /// already, or still: the rate does not jump as the force begins or ends.
 struct ContactForces {
-  RevoluteGap gap;
+  ContactGap gap;
   double slip_speed = 0.0;         ///< v [m/s] of the journal's surface relative to the bearing's, along perp(n)
   double normal_force = 0.0;       ///< F [N] >= 0
   double friction_force = 0.0;     ///< μ(v) F [N], of v's sign; acts on the journal along −perp(n)

@@ -7,9 +7,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/system/compile_contacts.h"
 #include "gudgeon/system/topology.h"
 
 namespace gudgeon {
@@ -56,6 +59,31 @@ void check_springs(const Mechanism& mechanism, const Assembly& assembly, Diagnos
   }
 }
 
+bool lies_in_slot(const Mechanism& mechanism, int body) {
+  return std::ranges::any_of(mechanism.joints, [&](const Joint& joint) {
+    const auto* guide = std::get_if<PrismaticClearance>(&joint.kind);
+    const std::string& name = mechanism.bodies[body].name;
+    return guide != nullptr && (guide->journal.body == name || guide->bearing.body == name);
+  });
+}
+
+// Turns a loose body, and what moves along with it, about its origin to the angle and rate given for it.
+void turn_cluster(const BodyStart& start, int loose, const std::vector<int>& cluster, std::vector<BodyPose>& poses) {
+  const BodyPose pivot = poses[loose];
+  const double turn = std::remainder(start.angle.value_or(pivot.angle) - pivot.angle, 2.0 * std::numbers::pi);
+  const double spin = start.angle_rate.value_or(pivot.angle_rate) - pivot.angle_rate;
+  const Rotation rotation = make_rotation(turn);
+  for (std::size_t body = 0; body < cluster.size(); ++body) {
+    if (cluster[body] != cluster[loose]) continue;
+    BodyPose& pose = poses[body];
+    const Vec2 arm = rotation * (pose.position - pivot.position);
+    pose.position = pivot.position + arm;
+    pose.velocity = pivot.velocity + rotation * (pose.velocity - pivot.velocity) + spin * perp(arm);
+    pose.angle += turn;
+    pose.angle_rate += spin;
+  }
+}
+
 }  // namespace
 
 void place_loose_bodies(const Mechanism& mechanism, Assembly& assembly) {
@@ -65,8 +93,11 @@ void place_loose_bodies(const Mechanism& mechanism, Assembly& assembly) {
   placed[0] = true;
   for (const auto& [loose, slide] : topology.loose) {
     const BodyStart& start = mechanism.bodies[loose].start;
-    if (placed[cluster[loose]] || (!start.position && !start.velocity)) continue;
+    // The ideal guide of a block would not let it tilt.
+    const bool turns = (start.angle || start.angle_rate) && lies_in_slot(mechanism, loose);
+    if (placed[cluster[loose]] || (!start.position && !start.velocity && !turns)) continue;
     placed[cluster[loose]] = true;
+    if (turns) turn_cluster(start, loose, cluster, assembly.poses);
     const BodyPose pose = assembly.poses[loose];
     const Vec2 shift = start.position.value_or(pose.position) - pose.position;
     const Vec2 push = start.velocity.value_or(pose.velocity) - pose.velocity;
@@ -78,24 +109,82 @@ void place_loose_bodies(const Mechanism& mechanism, Assembly& assembly) {
   }
 }
 
-void require_clear_start(const Mechanism& mechanism, const Assembly& assembly) {
-  // A journal may be given to touch; rounding of its position must not count as overlap.
-  constexpr double kTouching = 1e-9;
-  Diagnostics diagnostics;
-  for (const Joint& joint : mechanism.joints) {
-    const auto* clearance = std::get_if<RevoluteClearance>(&joint.kind);
-    if (clearance == nullptr) continue;
-    const double eccentricity =
-        norm(find_world(mechanism, assembly, clearance->journal) - find_world(mechanism, assembly, clearance->bearing));
-    if (eccentricity <= clearance->radial_clearance * (1.0 + kTouching)) continue;
-    diagnostics.error("E-MODEL-074", "joints." + joint.name,
-                      fmt::format("joint '{}': its journal starts {:.6g} mm off the middle of its bearing, and "
-                                  "radial_clearance is {:.6g} mm",
-                                  joint.name, 1e3 * eccentricity, 1e3 * clearance->radial_clearance),
-                      {"change start.position of the loose body, or leave it out: journals then start in the middle"});
+namespace {
+
+// A journal may be given to touch; rounding of its position must not count as overlap.
+constexpr double kTouching = 1e-9;
+
+class StartCheck {
+ public:
+  StartCheck(const Mechanism& mechanism, const Assembly& assembly) : mechanism_(mechanism), assembly_(assembly) {}
+
+  void check(const Joint&, const auto&) {}
+
+  void check(const Joint& joint, const RevoluteClearance& kind) {
+    const RelativeMotion motion = find_motion(kind, find_local(kind.journal));
+    const double eccentricity = norm(motion.offset);
+    if (eccentricity <= kind.radial_clearance * (1.0 + kTouching)) return;
+    report(joint, fmt::format("its journal starts {:.6g} mm off the middle of its bearing, and radial_clearance is "
+                              "{:.6g} mm",
+                              1e3 * eccentricity, 1e3 * kind.radial_clearance));
   }
-  check_springs(mechanism, assembly, diagnostics);
-  if (diagnostics.has_errors()) throw ModelError(diagnostics);
+  void check(const Joint& joint, const PrismaticClearance& kind) { check_slot(joint, kind, "a corner of its block"); }
+  void check(const Joint& joint, const PinInSlotClearance& kind) { check_slot(joint, kind, "its pin"); }
+
+  Diagnostics diagnostics;
+
+ private:
+  // The deepest circle is told, and the one farthest past an end.
+  template <class Slot>
+  void check_slot(const Joint& joint, const Slot& kind, const char* journal) {
+    double deepest = kTouching * kind.clearance;
+    double farthest = kTouching * kind.bearing_length;
+    for (const ContactCircle& circle : find_circles(kind, find_local(kind.journal))) {
+      const ContactGap gap = find_gap(make_surfaces(kind, circle.bearing_surface), find_motion(kind, circle.center));
+      deepest = std::max(deepest, gap.penetration);
+      farthest = std::max(farthest, std::abs(gap.bearing_position) - 0.5 * kind.bearing_length);
+    }
+    if (deepest > kTouching * kind.clearance) {
+      report(joint, fmt::format("{} starts {:.6g} mm inside a side of its slot, and clearance is {:.6g} mm", journal,
+                                1e3 * deepest, 1e3 * kind.clearance));
+    }
+    if (farthest > kTouching * kind.bearing_length) {
+      report(joint, fmt::format("{} starts {:.6g} mm past the end of its slot, and bearing_length is {:.6g} mm",
+                                journal, 1e3 * farthest, 1e3 * kind.bearing_length));
+    }
+  }
+
+  void report(const Joint& joint, const std::string& what) {
+    diagnostics.error("E-MODEL-074", "joints." + joint.name, fmt::format("joint '{}': {}", joint.name, what),
+                      {"change the start of the bodies it connects; journals that are loose start in the middle when "
+                       "no start is given"});
+  }
+
+  Vec2 find_local(const Anchor& anchor) const {
+    return find_point(mechanism_.bodies[find_body(mechanism_, anchor.body)], anchor.point)->position;
+  }
+
+  template <ClearanceJoint Kind>
+  RelativeMotion find_motion(const Kind& kind, Vec2 journal_local) const {
+    const BodyPose& bearing = assembly_.poses[find_body(mechanism_, kind.bearing.body)];
+    const BodyPose& journal = assembly_.poses[find_body(mechanism_, kind.journal.body)];
+    const Vec2 offset = journal.find_point(journal_local) - bearing.find_point(find_local(kind.bearing));
+    return {offset, {}, bearing.angle, journal.angle, 0.0, 0.0};
+  }
+
+  const Mechanism& mechanism_;
+  const Assembly& assembly_;
+};
+
+}  // namespace
+
+void require_clear_start(const Mechanism& mechanism, const Assembly& assembly) {
+  StartCheck start(mechanism, assembly);
+  for (const Joint& joint : mechanism.joints) {
+    std::visit([&](const auto& kind) { start.check(joint, kind); }, joint.kind);
+  }
+  check_springs(mechanism, assembly, start.diagnostics);
+  if (start.diagnostics.has_errors()) throw ModelError(start.diagnostics);
 }
 
 }  // namespace gudgeon

@@ -20,6 +20,10 @@ ReactionFinder::ReactionFinder(const System& system) : system_(&system) {
     ends_.push_back({anchored(first), anchored(second)});
   }
   const auto find_index = [&](const std::string& name) { return find_body(mechanism, name); };
+  for (const Contact& contact : system.tables.contacts) {
+    const int body = ends_[contact.joint].second.body;
+    contact_points_.push_back({body, contact.journal_center - mechanism.bodies[body].center_of_mass});
+  }
   for (const Load& load : mechanism.loads) {
     load_ends_.push_back(std::visit(
         [&]<class Kind>(const Kind& kind) -> LoadEnds {
@@ -117,7 +121,8 @@ void ReactionFinder::apply_contacts(const Workspace& workspace) noexcept {
   for (std::size_t k = 0; k < workspace.contact_forces.size(); ++k) {
     const ContactForces& forces = workspace.contact_forces[k];
     const int joint = system_->tables.contacts[k].joint;
-    const auto& [bearing, journal] = ends_[joint];
+    const Anchored& bearing = ends_[joint].first;
+    const Anchored& journal = contact_points_[k];
     for (const auto& [body, arm, force, torque] :
          {std::tuple{bearing.body, bearing.arm, -forces.force_on_journal, forces.torque_on_bearing},
           std::tuple{journal.body, journal.arm, forces.force_on_journal, forces.torque_on_journal}}) {
@@ -125,7 +130,9 @@ void ReactionFinder::apply_contacts(const Workspace& workspace) noexcept {
       add_force(body, motion.position + make_rotation(motion.angle) * arm, force);
       moment_needed_[body] -= torque;
     }
-    reactions_[joint].force = forces.force_on_journal;
+    const Vec2 from_anchor = make_rotation((*motions_)[journal.body].angle) * (journal.arm - ends_[joint].second.arm);
+    reactions_[joint].force += forces.force_on_journal;
+    reactions_[joint].moment += forces.torque_on_journal + cross(from_anchor, forces.force_on_journal);
   }
 }
 

@@ -15,7 +15,7 @@ namespace gudgeon {
 /// driven slide is not part of it.
 struct JointReaction {
   Vec2 force;           ///< [N] at the second anchor
-  double moment = 0.0;  ///< [N m] of a prismatic or rigid joint
+  double moment = 0.0;  ///< [N m] about it, of any joint but a revolute or a pin in a slot
 };
 
 /// Finds the reactions of all joints; compiled once, holds its own scratch memory. Where redundant constraints were
@@ -70,6 +70,7 @@ class ReactionFinder {
   std::vector<int> outward_;                       // bodies, children after parents
   std::vector<TieStep> tie_steps_;                 // outermost first
   std::vector<std::array<int, 2>> driven_angles_;  // one a driver of the tables: its body and the other; -1 for a slide
+  std::vector<Anchored> contact_points_;           // one a contact: the centre of its circle
   std::vector<LoadEnds> load_ends_;                // one a load
   std::vector<Vec2> force_needed_;                 // one a body: what is still missing to its m a
   std::vector<double> moment_needed_;  // one a body: what is still missing to its I θ̈, about its centre of mass

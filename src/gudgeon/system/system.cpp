@@ -74,10 +74,36 @@ System compile(const Mechanism& mechanism, const Assembly& assembly) {
   return system;
 }
 
-void set_surfaces(System& system, std::size_t contact, RadialProfile bearing_wear, RadialProfile journal_wear) {
-  RevoluteSurfaces& surfaces = system.tables.contacts[contact].surfaces;
-  surfaces.bearing_wear = std::move(bearing_wear);
-  surfaces.journal_wear = std::move(journal_wear);
+namespace {
+
+// The depths of one of n surfaces that stand one after the other.
+std::vector<double> find_part(std::span<const double> depths, int surface, int n) {
+  const std::size_t size = depths.size() / static_cast<std::size_t>(n);
+  const auto part = depths.subspan(static_cast<std::size_t>(surface) * size, size);
+  return {part.begin(), part.end()};
+}
+
+void set_wear(RevoluteSurfaces& surfaces, std::vector<double> bearing, std::vector<double> journal) {
+  surfaces.bearing_wear = RadialProfile(std::move(bearing));
+  surfaces.journal_wear = RadialProfile(std::move(journal));
+}
+
+void set_wear(GuideSurfaces& surfaces, std::vector<double> bearing, std::vector<double> journal) {
+  surfaces.bearing_wear = LineProfile(std::move(bearing), 2.0 * surfaces.half_length);
+  surfaces.journal_wear = RadialProfile(std::move(journal));
+}
+
+}  // namespace
+
+void set_surfaces(System& system, std::size_t group, std::span<const double> bearing_depths,
+                  std::span<const double> journal_depths) {
+  const ContactGroup& at = system.tables.contact_groups[group];
+  for (int k = at.first_contact; k < at.end_contact; ++k) {
+    Contact& contact = system.tables.contacts[k];
+    std::vector<double> bearing = find_part(bearing_depths, contact.bearing_surface, at.n_bearing_surfaces);
+    std::vector<double> journal = find_part(journal_depths, contact.journal_surface, at.n_journal_surfaces);
+    std::visit([&](auto& surfaces) { set_wear(surfaces, std::move(bearing), std::move(journal)); }, contact.surfaces);
+  }
 }
 
 }  // namespace gudgeon

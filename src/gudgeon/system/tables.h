@@ -102,6 +102,15 @@ struct Coupling {
   int slot;
 };
 
+/// The contacts of one clearance joint, which stand together, and how many surfaces either body has in it.
+struct ContactGroup {
+  int joint;
+  int first_contact;
+  int end_contact;
+  int n_bearing_surfaces;
+  int n_journal_surfaces;
+};
+
 struct Tables {
   CoordinateCounts counts;
   int n_rows = 0;      ///< active closure rows
@@ -128,6 +137,7 @@ struct Tables {
   std::vector<int> chain_index_turn;  ///< equation of each chain row's turn
   std::vector<int> chain_index_slide;
   std::vector<Contact> contacts;
+  std::vector<ContactGroup> contact_groups;  ///< one a clearance joint
   LoadTables loads;
 
   [[nodiscard]] int bin_index() const { return n_indices - 1; }

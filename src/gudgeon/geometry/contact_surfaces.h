@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The pairs of surfaces that can touch, and their gap.
+#pragma once
+
+#include <variant>
+
+#include "gudgeon/geometry/guide_gap.h"
+#include "gudgeon/geometry/revolute_gap.h"
+
+namespace gudgeon {
+
+using ContactSurfaces = std::variant<RevoluteSurfaces, GuideSurfaces>;
+
+inline ContactGap find_gap(const ContactSurfaces& surfaces, const RelativeMotion& motion) noexcept {
+  if (const auto* revolute = std::get_if<RevoluteSurfaces>(&surfaces)) return find_revolute_gap(*revolute, motion);
+  return find_guide_gap(*std::get_if<GuideSurfaces>(&surfaces), motion);
+}
+
+inline bool is_worn(const ContactSurfaces& surfaces) {
+  return std::visit([](const auto& kind) { return kind.is_worn(); }, surfaces);
+}
+
+}  // namespace gudgeon
