@@ -58,14 +58,42 @@ ContactProperties read_contact_of(TableReader& table, std::span<const ContactPro
   return {};
 }
 
-AnyJoint read_clearance(TableReader& table, std::span<const ContactProperties> contacts) {
-  RevoluteClearance joint;
+/// What every clearance joint has: its two points, its width and its contact.
+template <ClearanceJoint Kind>
+Kind read_clearance(TableReader& table, std::span<const ContactProperties> contacts) {
+  Kind joint;
   joint.bearing = read_anchor_of(table, "bearing");
   joint.journal = read_anchor_of(table, "journal");
-  joint.bearing_radius = table.read_quantity("bearing_radius", dimension::kLength);
-  joint.radial_clearance = table.read_quantity("radial_clearance", dimension::kLength);
   joint.width = table.read_quantity("width", dimension::kLength);
   joint.contact = read_contact_of(table, contacts);
+  return joint;
+}
+
+AnyJoint read_revolute_clearance(TableReader& table, std::span<const ContactProperties> contacts) {
+  auto joint = read_clearance<RevoluteClearance>(table, contacts);
+  joint.bearing_radius = table.read_quantity("bearing_radius", dimension::kLength);
+  joint.radial_clearance = table.read_quantity("radial_clearance", dimension::kLength);
+  return joint;
+}
+
+AnyJoint read_prismatic_clearance(TableReader& table, std::span<const ContactProperties> contacts) {
+  auto joint = read_clearance<PrismaticClearance>(table, contacts);
+  joint.direction = table.read_quantity("direction", dimension::kAngle);
+  joint.relative_angle = table.find_quantity("relative_angle", dimension::kAngle).value_or(0.0);
+  joint.bearing_length = table.read_quantity("bearing_length", dimension::kLength);
+  joint.journal_length = table.read_quantity("journal_length", dimension::kLength);
+  joint.journal_height = table.read_quantity("journal_height", dimension::kLength);
+  joint.corner_radius = table.read_quantity("corner_radius", dimension::kLength);
+  joint.clearance = table.read_quantity("clearance", dimension::kLength);
+  return joint;
+}
+
+AnyJoint read_pin_in_slot_clearance(TableReader& table, std::span<const ContactProperties> contacts) {
+  auto joint = read_clearance<PinInSlotClearance>(table, contacts);
+  joint.direction = table.read_quantity("direction", dimension::kAngle);
+  joint.bearing_length = table.read_quantity("bearing_length", dimension::kLength);
+  joint.journal_radius = table.read_quantity("journal_radius", dimension::kLength);
+  joint.clearance = table.read_quantity("clearance", dimension::kLength);
   return joint;
 }
 
@@ -82,8 +110,11 @@ std::optional<AnyJoint> read_kind(TableReader& table, std::span<const ContactPro
   if (type == "prismatic") return read_prismatic(table);
   if (type == "rigid") return read_rigid(table);
   if (type == "pin_in_slot") return read_pin_in_slot(table);
-  if (type == "revolute_clearance") return read_clearance(table, contacts);
-  const std::vector<std::string> types{"revolute", "prismatic", "pin_in_slot", "rigid", "revolute_clearance"};
+  if (type == "revolute_clearance") return read_revolute_clearance(table, contacts);
+  if (type == "prismatic_clearance") return read_prismatic_clearance(table, contacts);
+  if (type == "pin_in_slot_clearance") return read_pin_in_slot_clearance(table, contacts);
+  const std::vector<std::string> types{"revolute",           "prismatic",           "pin_in_slot",          "rigid",
+                                       "revolute_clearance", "prismatic_clearance", "pin_in_slot_clearance"};
   if (!type.empty()) table.report_unknown_choice("type", type, types);
   return std::nullopt;
 }
