@@ -83,5 +83,43 @@ TEST(WearSummary, RefusesToAddDifferentRegions) {
   EXPECT_THROW(summarize_wear(run, 2), NumericalError);
 }
 
+TEST(WornSides, StandAtTheEdgesOfTheirRegionsOnEitherSide) {
+  // Ten regions of 10 mm a side.
+  std::vector<double> depth(20, 0.0);
+  depth[2] = depth[3] = 5.0;
+  depth[9] = depth[10] = 4.0;  // the end of the left side, the beginning of the right one
+  depth[14] = 0.4;             // shallow
+  const std::vector<SideRange> found = find_worn_sides(depth, 0.1);
+  ASSERT_EQ(found.size(), 3U);
+  const SideRange expected[] = {{0, -0.03, -0.01}, {0, 0.04, 0.05}, {1, -0.05, -0.04}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(found[k].side, expected[k].side);
+    EXPECT_NEAR(found[k].begin, expected[k].begin, 1e-15);
+    EXPECT_NEAR(found[k].end, expected[k].end, 1e-15);
+  }
+  EXPECT_TRUE(find_worn_sides(std::vector<double>(20, 0.0), 0.1).empty());
+  EXPECT_TRUE(find_worn_sides({}, 0.1).empty());
+}
+
+TEST(WearSummary, TellsTheSideAndPlaceOfASlot) {
+  RunRecord run = test::make_run();
+  JointWear& wear = run.stages[1].wear[0];
+  wear.slot_length = 0.2;
+  wear.clearance = 1e-4;
+  for (auto* depths : {&wear.bearing_depth, &wear.bearing_depth_added, &wear.total_depth_added})
+    depths->assign(100, 0.0);
+  wear.total_depth_added[70] = wear.bearing_depth_added[70] = 5e-6;  // the right side's region 20 of 50
+  const JointWearSummary summary = summarize_wear(run, 1).front();
+  EXPECT_TRUE(summary.is_slot);
+  EXPECT_EQ(summary.added.surface, 1U);
+  EXPECT_NEAR(summary.added.position, find_region_position(20, 50, 0.2), 1e-15);
+  EXPECT_NEAR(summary.added.position, -0.018, 1e-15);
+  EXPECT_DOUBLE_EQ(summary.added.depth, 5e-6);
+  EXPECT_DOUBLE_EQ(summary.clearance_share, 0.05);
+  EXPECT_TRUE(summary.worn.empty());
+  ASSERT_EQ(summary.worn_sides.size(), 1U);
+  EXPECT_EQ(summary.worn_sides[0].side, 1U);
+}
+
 }  // namespace
 }  // namespace gudgeon

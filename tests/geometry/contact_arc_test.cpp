@@ -80,5 +80,21 @@ TEST(ContactArc, GrowsWithPenetrationAndStopsAtTheJournalsDiameter) {
   }
 }
 
+TEST(FlatContactLength, IsHalfTheChordOfTheOverlap) {
+  EXPECT_DOUBLE_EQ(find_flat_contact_length(0.4e-3, 1e-3), 0.8e-3);  // 0.6, 0.8, 1
+  EXPECT_EQ(find_flat_contact_length(0.0, 1e-3), 0.0);
+  EXPECT_EQ(find_flat_contact_length(-1e-6, 1e-3), 0.0);
+  EXPECT_EQ(find_flat_contact_length(1e-3, 1e-3), 1e-3);
+  EXPECT_EQ(find_flat_contact_length(5.0, 1e-3), 1e-3);
+}
+
+TEST(FlatContactLength, IsTheLimitOfALargeBearing) {
+  for (const double penetration : {1e-7, 1e-5, 3e-4}) {
+    const double flat = find_flat_contact_length(penetration, 1e-3);
+    // The chord differs by the share of the radii.
+    EXPECT_NEAR(find_contact_arc(penetration, 1e4, 1e-3).length / flat, 1.0, 2e-7);
+  }
+}
+
 }  // namespace
 }  // namespace gudgeon

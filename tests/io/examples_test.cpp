@@ -4,10 +4,14 @@
 // Every shipped example and every case of it reads without a complaint, and the nine-bar says what the paper says.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
+#include <span>
+#include <tuple>
 
 #include "gudgeon/io/model_reader.h"
+#include "gudgeon/sim/run_study.h"
 
 namespace gudgeon {
 namespace {
@@ -71,6 +75,33 @@ TEST(Examples, NineBarSpeedsComeWithTheSmallClearance) {
   EXPECT_DOUBLE_EQ(model.study.cycle_time, 0.5);
   EXPECT_EQ(std::get<RevoluteClearance>(mechanism.joints[find_joint(mechanism, "B")].kind).radial_clearance, 0.0003);
   EXPECT_EQ(model.study.published.size(), 2U);
+}
+
+// In seconds: both sides of the slot touched and worn, the ledger closed, and the ideal mechanism near.
+TEST(Examples, SlotsRun) {
+  for (const auto& [file, joint, surfaces, slider] : {std::tuple{"slider_crank_guide.toml", "guide", 4U, "slider.x"},
+                                                      std::tuple{"scotch_yoke.toml", "pin", 1U, "yoke.x"}}) {
+    const ModelFile model = read_model(kExamples / file);
+    const auto stages = run_study(model.mechanism, model.study);
+    ASSERT_EQ(stages.size(), 3U) << file;
+    for (const StageRecord& stage : stages) {
+      ASSERT_EQ(stage.status, StageStatus::finished) << file << ": " << stage.message;
+      EXPECT_NEAR(stage.ledger.residual() / stage.ledger.exchanged, 0.0, 1e-6) << file;
+    }
+    const StageRecord& stage = stages[1];
+    for (const char* side : {".left_force", ".right_force"}) {
+      EXPECT_GT(std::ranges::max(*find_values(stage, joint + std::string{side})), 10.0) << file << side;
+    }
+    const JointWear& wear = stage.wear.at(0);
+    EXPECT_EQ(wear.journal_depth_added.size(), surfaces * static_cast<std::size_t>(model.study.regions));
+    EXPECT_NEAR(wear.removed_volume / wear.archard_volume, 1.0, 1e-9);
+    const std::span<const double> depths = wear.bearing_depth_added;
+    EXPECT_GT(std::ranges::max(depths.first(wear.n_regions())), 0.0) << file;
+    EXPECT_GT(std::ranges::max(depths.subspan(wear.n_regions())), 0.0) << file;
+    const auto& loose = *find_values(stage, slider);
+    const auto& ideal = *find_values(stages[0], slider);
+    for (std::size_t k = 0; k < loose.size(); ++k) ASSERT_NEAR(loose[k], ideal[k], 1.5e-4) << file;
+  }
 }
 
 }  // namespace

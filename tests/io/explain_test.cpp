@@ -33,6 +33,11 @@ Mechanism make_every_kind() {
                       {"j4", Rigid{{"b", "P"}, {"c", "P"}, -0.7}}};
   contact.normal_direction = NormalDirection::eccentricity;
   mechanism.joints.push_back({"j5", RevoluteClearance{{"a", "P"}, {"c", "P"}, 0.01, 0.0003, 0.02, contact}});
+  mechanism.joints.push_back(
+      {"j6",
+       PrismaticClearance{{"a", "P"}, {"c", "P"}, 1.0 / 3.0, -0.2, 0.3, 0.07, 0.05, 3e-3, 1e-4 / 3.0, 0.02, contact}});
+  mechanism.joints.push_back(
+      {"j7", PinInSlotClearance{{"b", "P"}, {"c", "P"}, -1.0 / 7.0, 0.3, 8e-3, 2e-4, 0.02, contact}});
   mechanism.drivers = {{"d1", DrivenAngle{"a"}, 0.1, -1.0 / 7.0}, {"d2", DrivenSlide{"j3"}, 0.4, 2.0}};
   mechanism.loads = {{"l1", ConstantForce{{"a", "P"}, {1.0, 2.0}}}, {"l2", ConstantTorque{"b", -3.0}}};
   return mechanism;
@@ -59,6 +64,12 @@ TEST(Explain, WritesEveryKindSoThatItReadsBack) {
   const auto& pin = std::get<RevoluteClearance>(back.mechanism.joints[1].kind);
   EXPECT_EQ(std::get<Archard>(pin.contact.journal_wear).coefficient, 1e-14 / 3.0);
   EXPECT_EQ(pin.contact.journal_material.young_modulus, 1.9e11);
+  const auto& guide = std::get<PrismaticClearance>(back.mechanism.joints[5].kind);
+  EXPECT_EQ(guide.direction, 1.0 / 3.0);
+  EXPECT_EQ(guide.relative_angle, -0.2);
+  EXPECT_EQ(guide.journal_length, 0.07);
+  EXPECT_EQ(guide.clearance, 1e-4 / 3.0);
+  EXPECT_EQ(std::get<PinInSlotClearance>(back.mechanism.joints[6].kind).journal_radius, 8e-3);
   EXPECT_EQ(back.study.cycle_time, 0.7);
   EXPECT_EQ(back.study.published[0].values, study.published[0].values);
 }

@@ -214,7 +214,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Spoiled{"\"200 GPa\"", "\"200 GPaa\"", "unknown unit 'GPaa'; did you mean 'GPa'?"},
         Spoiled{"\"revolute\"", "\"revolut\"",
-                "possible: revolute, prismatic, pin_in_slot, rigid, revolute_clearance   Did you mean"},
+                "possible: revolute, prismatic, pin_in_slot, rigid, revolute_clearance, prismatic_clearance, "
+                "pin_in_slot_clearance   Did you mean"},
         Spoiled{"\"archard\"", "\"archrd\"", "law is \"archrd\", and there is none of that name"},
         Spoiled{"static_coefficient = 0.15, ", "", "static_coefficient is missing"},
         Spoiled{"static_coefficient = 0.15", "static_coefficient = -1",

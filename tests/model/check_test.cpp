@@ -6,56 +6,20 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <functional>
-#include <limits>
+#include "tests/model/broken_model.h"
 
 namespace gudgeon {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-struct Model {
-  Mechanism mechanism;
-  Study study;
-
-  RevoluteClearance& pin() { return std::get<RevoluteClearance>(mechanism.joints[1].kind); }
-};
-
-Model make_good() {
-  Model model;
-  Mechanism& mechanism = model.mechanism;
-  mechanism.name = "press";
-  mechanism.bodies = {{"frame", 0.0, 0.0, {}, {{"O", {}}, {"G", {}}}, {}},
-                      {"crank", 1.0, 1.0, {}, {{"O", {}}, {"A", {1.0, 0.0}}}, {}},
-                      {"rod", 1.0, 1.0, {}, {{"A", {}}, {"S", {2.0, 0.0}}}, {}},
-                      {"slider", 1.0, 0.0, {}, {{"S", {}}}, {}}};
-  const Material steel{"steel", 200e9, 0.3};
-  const ContactProperties contact{
-      "pin",          steel,         steel, LankaraniNikravesh{}, CoulombSmooth{.kinetic_coefficient = 0.1},
-      Archard{1e-14}, Archard{1e-14}};
-  mechanism.joints = {{"O", Revolute{{"frame", "O"}, {"crank", "O"}}},
-                      {"A", RevoluteClearance{{"crank", "A"}, {"rod", "A"}, 0.01, 0.0005, 0.02, contact}},
-                      {"S", Revolute{{"rod", "S"}, {"slider", "S"}}},
-                      {"guide", Prismatic{{"frame", "G"}, {"slider", "S"}, 0.0, 0.0, {}, {}}}};
-  mechanism.drivers = {{"crank", DrivenAngle{"crank"}, 0.0, 1.0}};
-  mechanism.loads = {{"push", ConstantForce{{"slider", "S"}, {1.0, 0.0}}}, {"brake", ConstantTorque{"crank", 1.0}}};
-  model.study.cycle_driver = "crank";
-  model.study.wear_stages = 1;
-  return model;
-}
+using test::Broken;
+using test::kNan;
+using test::make_good;
+using test::Model;
 
 TEST(Check, FindsNothingInAGoodModel) {
   const Model model = make_good();
   EXPECT_EQ(render(check(model.mechanism, model.study), {}), "");
 }
-
-struct Broken {
-  const char* code;
-  const char* path;
-  const char* message;  ///< a part of what is rendered
-  std::function<void(Model&)> spoil;
-};
 
 Liu make_liu(const AnyDamping& damping) {
   Liu law;
@@ -75,17 +39,7 @@ TEST(Check, RemarksNoRestitutionThatIsDelivered) {
 
 class CheckFinds : public testing::TestWithParam<Broken> {};
 
-TEST_P(CheckFinds, TheBrokenRule) {
-  Model model = make_good();
-  GetParam().spoil(model);
-  const Diagnostics found = check(model.mechanism, model.study);
-  const auto hit = std::ranges::find_if(found.items(), [](const Diagnostic& item) {
-    return item.code == GetParam().code && item.path == GetParam().path;
-  });
-  const std::string text = render(found, {});
-  EXPECT_NE(hit, found.items().end()) << text;
-  EXPECT_NE(text.find(GetParam().message), std::string::npos) << text;
-}
+TEST_P(CheckFinds, TheBrokenRule) { test::expect_found(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     Bodies, CheckFinds,

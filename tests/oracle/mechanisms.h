@@ -71,6 +71,9 @@ Mechanism make_slider_crank_guide();
 Mechanism make_block_in_turning_slot();
 /// The scotch yoke with a pin that is thinner than its slot; 2 degrees of freedom.
 Mechanism make_scotch_yoke_clearance();
+/// A free block of 2 kg and 1 g m², 100 x 50 mm with corners of 5 mm, in a level slot of the frame that is 1 m long and
+/// leaves it 1 mm on either side; the start is that of its middle, from the slot's. No gravity, no friction, Hertz.
+Mechanism make_loose_block(BodyStart start, double young_modulus);
 /// The free pair with a block in a slot instead of a journal in a bearing.
 Mechanism make_free_pair_in_slot();
 /// The paper's press (nine_bar.md): clearance joints A and B, Lankarani-Nikravesh, lugre_steady, archard.

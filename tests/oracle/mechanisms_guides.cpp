@@ -78,6 +78,17 @@ Mechanism make_scotch_yoke_clearance() {
   return mechanism;
 }
 
+Mechanism make_loose_block(BodyStart start, double young_modulus) {
+  Mechanism mechanism = make_empty("loose_block", {}, {{"slot", {0.0, 0.0}}});
+  mechanism.bodies.push_back({"block", 2.0, 1e-3, {}, {{"middle", {0.0, 0.0}}}, start});
+  ContactProperties contact = make_contact(young_modulus, Frictionless{});
+  contact.normal_force = Hertz{};
+  mechanism.joints.push_back(
+      {"slot", PrismaticClearance{
+                   {kFrameName, "slot"}, {"block", "middle"}, 0.0, 0.0, 1.0, 0.1, 0.05, 5e-3, 1e-3, 0.02, contact}});
+  return mechanism;
+}
+
 Mechanism make_free_pair_in_slot() {
   Mechanism mechanism = make_free_pair();
   mechanism.name = "free_pair_in_slot";

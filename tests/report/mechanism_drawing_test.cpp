@@ -61,7 +61,8 @@ std::vector<Label> find_labels(const std::string& svg) {
 }
 
 std::vector<MechanismDrawing> make_all_samples() {
-  return {make_nine_bar_drawing(), make_slider_crank_drawing(), make_four_bar_drawing(), make_quick_return_drawing()};
+  return {make_nine_bar_drawing(), make_slider_crank_drawing(), make_four_bar_drawing(), make_quick_return_drawing(),
+          make_yoke_drawing()};
 }
 
 TEST(MechanismDrawing, NamesEveryMovingBodyAndJoint) {
@@ -108,6 +109,30 @@ TEST(MechanismDrawing, ScaleIsTheSameAlongBothAxes) {
 TEST(MechanismDrawing, MarksClearanceOnlyWhereThereIsAny) {
   EXPECT_THAT(render_svg(make_nine_bar_drawing()), HasSubstr("clearance joint"));
   EXPECT_THAT(render_svg(make_four_bar_drawing()), Not(HasSubstr(std::string(ink::kClearance))));
+}
+
+// The slot is 80 mm long, which is drawn longer than the crank and within the sheet.
+TEST(MechanismDrawing, SlotsAreAsLongAsTheyAre) {
+  const std::string svg = render_svg(make_yoke_drawing());
+  const std::string slots =
+      svg.substr(svg.find("class=\"slots\""), svg.find("class=\"joints\"") - svg.find("class=\"slots\""));
+  const auto outlines = find_tags(slots, "polygon");
+  ASSERT_EQ(outlines.size(), 2U);
+  std::istringstream text(find_attribute(outlines[0].first, "points"));
+  Vec2 low, high;
+  char comma = 0;
+  text >> low.x >> comma >> low.y >> high.x >> comma >> high.y;
+  const double width = std::stod(find_attribute(outlines[0].first, "stroke-width"));
+  const double height = std::stod(svg.substr(svg.find("height=\"") + 8));
+  EXPECT_GT(std::min(low.y, high.y) - 0.5 * width, 0.0);
+  EXPECT_LT(std::max(low.y, high.y) + 0.5 * width, height);
+  // 80 mm, its round ends within it, beside the 140 mm of the guide, which has straight ends.
+  double guide = 0.0;
+  for (const auto& [tag, unused] : find_tags(svg, "line")) {
+    if (find_attribute(tag, "y1") != find_attribute(tag, "y2")) continue;
+    guide = std::max(guide, std::abs(std::stod(find_attribute(tag, "x2")) - std::stod(find_attribute(tag, "x1"))));
+  }
+  EXPECT_NEAR((norm(high - low) + width) / guide, 80.0 / 140.0, 0.02);  // the outline stands around it
 }
 
 TEST(MechanismDrawing, JointsAtOnePointShareACircle) {

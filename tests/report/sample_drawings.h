@@ -104,4 +104,19 @@ inline MechanismDrawing make_quick_return_drawing() {
           .gravity = {0.0, -9.81}};
 }
 
+/// A pin with clearance in an upright slot of a yoke, which stands loose in a guide.
+inline MechanismDrawing make_yoke_drawing() {
+  constexpr Vec2 kO{0.0, 0.0}, kP{0.03, 0.02}, kS{0.03, 0.0}, kF{0.13, 0.0}, kG{0.1, 0.0};
+  using enum DrawnJointKind;
+  return {.title = "Scotch yoke",
+          .subtitle = "t = 0 s",
+          .bodies = {{"frame", true, {kO, kG}, {}}, {"crank", false, {kO, kP}, {}}, {"yoke", false, {kS, kF}, {}}},
+          .joints = {{"O", revolute, 0, 1, kO, kO},
+                     {"pin", pin_in_slot_clearance, 2, 1, kS, kP, 1.5707963267948966, 0.08},
+                     {"guide", prismatic_clearance, 0, 2, kG, kF, 0.0, 0.14}},
+          .drivers = {{1, false, kO, 0.0, 10.0}},
+          .traces = {},
+          .gravity = {}};
+}
+
 }  // namespace gudgeon::test

@@ -138,6 +138,20 @@ TEST(LoopUnderLoads, AllocatesNothing) {
   }
 }
 
+TEST(LoopOfSlots, AllocatesNothing) {
+  for (const Mechanism& mechanism : {oracle::make_slider_crank_guide(), oracle::make_scotch_yoke_clearance()}) {
+    const Assembly assembly = assemble(mechanism);
+    System system = compile(mechanism, assembly);
+    for (const bool worn : {false, true}) {
+      if (worn) set_surfaces(system, 0, std::vector<double>(200, 1e-6), {});
+      const Outcome outcome = run_motion(system, assembly, {}, 0.2);
+      EXPECT_FALSE(outcome.failed) << mechanism.name;
+      EXPECT_GE(outcome.n_changes, 4) << mechanism.name;
+      EXPECT_EQ(outcome.n_allocations, 0U) << mechanism.name;
+    }
+  }
+}
+
 TEST(LoopOfAcceleratingDrivers, AllocatesNothing) {
   for (const Mechanism& mechanism : {oracle::make_quick_return(), oracle::make_moved_slides()}) {
     const Assembly assembly = assemble(mechanism);

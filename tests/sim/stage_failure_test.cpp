@@ -75,6 +75,20 @@ TEST(StageFailure, AJournalThatJustTouchesIsNotInside) {
   EXPECT_NEAR(pressed.events[0].onset_speed, 1.0, 1e-9);
 }
 
+// Straight along its slot, past the end after 0.5 m less half of the block's corners, 45 mm.
+TEST(StageFailure, ABlockThatLeavesItsSlotIsTold) {
+  BodyStart start;
+  start.position = {0.0, 0.0};
+  start.velocity = {1.0, 0.0};
+  const StageRecord stage = run(oracle::make_loose_block(start, 1e9), 1.0);
+  EXPECT_EQ(stage.status, StageStatus::failed);
+  EXPECT_THAT(stage.message, AllOf(HasSubstr("E-NUM-005: stopped at t = 0.4"), HasSubstr("(cycle 1)"),
+                                   HasSubstr("joint 'slot'"), HasSubstr("past the end of the slot")));
+  EXPECT_GE(stage.end_time, 0.455);
+  EXPECT_LE(stage.end_time, 0.455 + 0.02) << "at the end of the step it left in, which is 2 % of a cycle at most";
+  EXPECT_EQ(stage.time.size(), static_cast<std::size_t>(stage.end_time / 0.01) + 1) << "the way there is kept";
+}
+
 TEST(StageFailure, ASingularStartIsTold) {
   Mechanism mechanism = oracle::make_n_four_bar(2);
   for (Body& body : mechanism.bodies) {

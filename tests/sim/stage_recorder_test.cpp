@@ -151,6 +151,36 @@ TEST(StageRecorder, ClearancesAreTheOffsetsOfTheirPoints) {
   }
 }
 
+TEST(StageRecorder, SlotsAreReadAlongTheirAxes) {
+  const Mechanism mechanism = oracle::make_block_in_turning_slot();
+  Recorded at(mechanism);
+  const auto& joint = std::get<PrismaticClearance>(mechanism.joints[find_joint(mechanism, "slot")].kind);
+  const auto poses = find_poses(mechanism, at.system.topology, at.equations.workspace.coordinates);
+  at.sample();
+  const StageRecord stage = at.finish();
+  const auto place = [&](const Anchor& anchor) {
+    const int b = find_body(mechanism, anchor.body);
+    const Vec2 local = find_point(mechanism.bodies[b], anchor.point)->position;
+    const Vec2 arm = make_rotation(poses[b].angle) * local;
+    return std::pair{poses[b].position + arm, poses[b].velocity + poses[b].angle_rate * perp(arm)};
+  };
+  const auto [middle, middle_velocity] = place(joint.bearing);
+  const auto [block, block_velocity] = place(joint.journal);
+  const BodyPose& arm = poses[find_body(mechanism, "arm")];
+  const BodyPose& journal = poses[find_body(mechanism, "block")];
+  const double slot = arm.angle + joint.direction;
+  const Vec2 along{std::cos(slot), std::sin(slot)};
+  const Vec2 seen = block_velocity - middle_velocity - arm.angle_rate * perp(block - middle);
+  EXPECT_NEAR(value(stage, "slot.displacement"), dot(along, block - middle), kRounding);
+  EXPECT_NEAR(value(stage, "slot.height"), dot(perp(along), block - middle), kRounding);
+  EXPECT_NEAR(value(stage, "slot.speed"), dot(along, seen), kRounding);
+  EXPECT_NEAR(value(stage, "slot.height_rate"), dot(perp(along), seen), kRounding);
+  EXPECT_NEAR(value(stage, "slot.tilt"), journal.angle - arm.angle - joint.relative_angle, kRounding);
+  EXPECT_NEAR(value(stage, "slot.tilt_rate"), journal.angle_rate - arm.angle_rate, kRounding);
+  EXPECT_NEAR(value(stage, "slot.left_force") + value(stage, "slot.right_force"), value(stage, "slot.normal_force"),
+              1e-12 * value(stage, "slot.normal_force"));
+}
+
 TEST(StageRecorder, JointForcesHaveTheirMagnitude) {
   for (const Mechanism& mechanism : oracle::make_all_mechanisms()) {
     Recorded at(mechanism);

@@ -69,9 +69,16 @@ TEST(Assembly, NineBarClosesFromGuessesTwentyDegreesOff) {
   }
 }
 
+AnyJoint find_ideal(const AnyJoint& kind) {
+  Mechanism one;
+  one.joints = {{"joint", kind}};
+  return make_ideal(one).joints[0].kind;
+}
+
 void expect_joints_closed(const Mechanism& mechanism, const Assembly& assembly) {
   for (const Joint& joint : mechanism.joints) {
-    if (std::holds_alternative<Prismatic>(joint.kind)) continue;
+    const AnyJoint ideal = find_ideal(joint.kind);
+    if (std::holds_alternative<Prismatic>(ideal)) continue;
     const auto find_motion = [&](const Anchor& anchor) {
       const int b = find_body(mechanism, anchor.body);
       const BodyPose& pose = assembly.poses[b];
@@ -82,7 +89,7 @@ void expect_joints_closed(const Mechanism& mechanism, const Assembly& assembly) 
     const auto [first_position, first_velocity] = find_motion(first);
     const auto [second_position, second_velocity] = find_motion(second);
     // Rounding of positions below 10 m and of speeds below 100 m/s.
-    if (const auto* slot = std::get_if<PinInSlot>(&joint.kind)) {
+    if (const auto* slot = std::get_if<PinInSlot>(&ideal)) {
       const BodyPose& pose = assembly.poses[find_body(mechanism, first.body)];
       const Rotation along = make_rotation(pose.angle + slot->direction);
       const Vec2 normal{-along.s, along.c};

@@ -184,5 +184,31 @@ INSTANTIATE_TEST_SUITE_P(AllMechanisms, EngineAgainstTextbook, testing::ValuesIn
 INSTANTIATE_TEST_SUITE_P(LoadedMechanisms, EngineAgainstTextbook, testing::ValuesIn(oracle::make_loaded_mechanisms()),
                          find_name);
 
+// Contact by contact, whatever the sums are; slots must have been touched on every side.
+TEST(EngineAgainstTextbookContacts, EachForceAgrees) {
+  for (const Mechanism& mechanism : oracle::make_all_mechanisms()) {
+    if (!has_clearance(mechanism)) continue;
+    RandomStates states(mechanism);
+    const oracle::Textbook textbook(mechanism);
+    std::vector<int> touched(states.latches.size());
+    for (int draw = 0; draw < 60; ++draw) {
+      if (!states.draw(0.0, 2e-3)) continue;
+      const auto expected = textbook.eval_contacts(make_textbook_state(states, textbook));
+      ASSERT_EQ(expected.size(), states.workspace.contact_forces.size());
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        const ContactForces& forces = states.workspace.contact_forces[k];
+        const double scale = std::max(expected[k].normal_force, 1.0);
+        EXPECT_NEAR(forces.gap.penetration, expected[k].penetration, 1e-14) << mechanism.name;  // lengths of 1 m
+        EXPECT_NEAR(forces.normal_force, expected[k].normal_force, kDynamicsTolerance * scale) << mechanism.name;
+        EXPECT_NEAR(norm(forces.force_on_journal - expected[k].force), 0.0, kDynamicsTolerance * scale)
+            << mechanism.name;
+        EXPECT_NEAR(forces.gap.penetration_rate, expected[k].penetration_rate, 1e-12) << mechanism.name;
+        touched[k] += forces.normal_force > 0.0 ? 1 : 0;
+      }
+    }
+    for (const int n : touched) EXPECT_GE(n, 3) << mechanism.name;
+  }
+}
+
 }  // namespace
 }  // namespace gudgeon

@@ -34,7 +34,7 @@ JointContactSummary summarize_joint(const StageRecord& stage, std::size_t joint)
     summary.largest_force = std::max(summary.largest_force, event.peak_force);
   }
   summary.contact_fraction = find_part(wear.contact_time, stage.end_time - stage.start_time);
-  summary.flight_fraction = 1.0 - summary.contact_fraction;
+  summary.flight_fraction = std::max(1.0 - summary.contact_fraction, 0.0);  // times add up to a rounding
   summary.lasting_fraction = find_part(lasting, all);
   summary.impact_fraction = all > 0.0 ? 1.0 - summary.lasting_fraction : 0.0;
   summary.mean_force = find_part(wear.impulse, wear.contact_time);

@@ -83,7 +83,18 @@ void check_sizes(CheckRules& rules, const PrismaticClearance& joint, const std::
                             fmt::format("{}: corner_radius is {}; it must be at most half the block's length and "
                                         "height, {:.6g} m",
                                         subject, length("corner_radius", joint.corner_radius), largest));
+    return;
   }
+  // A corner touches the side it faces only: the block must not fit into its slot crosswise.
+  const double diagonal =
+      std::hypot(0.5 * joint.journal_length - joint.corner_radius, 0.5 * joint.journal_height - joint.corner_radius) +
+      joint.corner_radius;
+  if (diagonal > 0.5 * joint.journal_height + joint.clearance) return;
+  rules.diagnostics.error(
+      "E-MODEL-017", path + ".clearance",
+      fmt::format("{}: clearance is {}; the block could turn over in a slot that wide", subject,
+                  length("clearance", joint.clearance)),
+      {"a block longer than its slot is wide cannot; what is round in its slot is a pin_in_slot_clearance"});
 }
 
 void check_sizes(CheckRules& rules, const PinInSlotClearance& joint, const std::string& subject,

@@ -34,7 +34,10 @@ Extent find_extent(const MechanismDrawing& drawing) {
     for (const Vec2 point : body.points) extent.include(point);
     if (body.points.size() <= 1) extent.include(body.center_of_mass);
   }
-  for (const DrawnJoint& joint : drawing.joints) extent.include(joint.first), extent.include(joint.second);
+  for (const DrawnJoint& joint : drawing.joints) {
+    const Vec2 reach = 0.5 * joint.length * Vec2{std::cos(joint.direction), std::sin(joint.direction)};
+    extent.include(joint.first - reach), extent.include(joint.first + reach), extent.include(joint.second);
+  }
   for (const DrawnTrace& trace : drawing.traces) {
     for (const Vec2 point : trace.points) extent.include(point);
   }

@@ -88,16 +88,15 @@ void draw_moving_guide(Sketch sketch, const DrawnJoint& joint, Vec2 block, Vec2 
   sketch.placer.add_obstacle_line(low, high, 6.0);
 }
 
-/// The two sides of a slot with clearance, its real length where that is longer than its block; the block stands
-/// between them with a gap that can be seen.
+/// The two sides of a slot with clearance, as long as it is unless its block would hide it; the block stands between
+/// them with a gap that can be seen.
 void draw_clearance_guide(Sketch sketch, const DrawnJoint& joint, Vec2 block, Vec2 along) {
   const DrawingPlan& plan = sketch.plan;
   const bool slot_moves = !plan.is_frame(joint.first_body);
-  // A slot that goes past the sheet is shown around its block.
-  const double half_length = std::min(0.5 * joint.length * plan.view.scale, 2.0 * kGuideHalfLength);
-  const bool shows_whole = half_length >= kBlockHalfSize.x && half_length < 2.0 * kGuideHalfLength;
-  const Vec2 middle = shows_whole ? plan.view.place(joint.first) : block;
-  const Vec2 reach = std::max(half_length, kBlockHalfSize.x + 16.0) * along;
+  const double half_length = 0.5 * joint.length * plan.view.scale;
+  const bool is_seen = half_length > kBlockHalfSize.x;
+  const Vec2 middle = is_seen ? plan.view.place(joint.first) : block;
+  const Vec2 reach = (is_seen ? half_length : kGuideHalfLength) * along;
   for (const double side : {1.0, -1.0}) {
     const Vec2 outward = side * perp(along);
     const Vec2 line = middle + (kBlockHalfSize.y + kShownClearance) * outward;

@@ -93,7 +93,7 @@ struct JointWear {
   std::vector<double> total_depth_added;    ///< [m] bearing and journal together, over the bearing's circumference
   double archard_volume = 0.0;              ///< [m^3] ∫ k_d F ds of both surfaces, magnified
   double removed_volume = 0.0;              ///< [m^3] of the added depths
-  double sliding_distance = 0.0;            ///< [m] in contact, not magnified
+  double sliding_distance = 0.0;            ///< [m] in contact, not magnified; that of all contacts added
   double contact_time = 0.0;                ///< [s] in contact
   double impulse = 0.0;                     ///< [N s] ∫ F dt
 

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Runs of slots: the same bits again, stages on what those before left, events of corners and sides.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <set>
+
+#include "gudgeon/sim/run_study.h"
+#include "tests/oracle/mechanisms.h"
+
+namespace gudgeon {
+namespace {
+
+Study make_slot_study() {
+  Study study;
+  study.cycle_time = 0.25;
+  study.cycles = 1;
+  study.outputs_per_cycle = 50;
+  study.wear_stages = 1;
+  study.magnification = 1e4;
+  study.regions = 120;
+  return study;
+}
+
+TEST(GuideRun, HasTheSameBitsOnAnyThreadAndAfterAResume) {
+  for (const Mechanism& mechanism : {oracle::make_slider_crank_guide(), oracle::make_scotch_yoke_clearance()}) {
+    const auto whole = run_study(mechanism, make_slot_study());
+    ASSERT_EQ(whole.size(), 3U);
+    for (const StageRecord& stage : whole) ASSERT_EQ(stage.status, StageStatus::finished) << stage.message;
+    auto other = std::async(std::launch::async, [&] { return run_study(mechanism, make_slot_study()); });
+    const auto resumed = run_study(mechanism, make_slot_study(), {}, {whole[0], whole[1]});
+    const auto again = other.get();
+    for (std::size_t s = 0; s < whole.size(); ++s) {
+      EXPECT_EQ(again[s].values, whole[s].values) << mechanism.name;
+      EXPECT_EQ(resumed[s].values, whole[s].values) << mechanism.name;
+    }
+    EXPECT_EQ(resumed[2].wear.at(0).bearing_depth_added, whole[2].wear.at(0).bearing_depth_added);
+    EXPECT_EQ(resumed[2].wear.at(0).journal_depth_added, whole[2].wear.at(0).journal_depth_added);
+  }
+}
+
+TEST(GuideRun, EveryStageRunsOnWhatTheOneBeforeLeft) {
+  for (const auto& [mechanism, n_corners] : {std::pair{oracle::make_slider_crank_guide(), std::size_t{4}},
+                                             {oracle::make_scotch_yoke_clearance(), std::size_t{1}}}) {
+    const auto stages = run_study(mechanism, make_slot_study());
+    const JointWear& before = stages.at(1).wear.at(0);
+    const JointWear& after = stages.at(2).wear.at(0);
+    ASSERT_EQ(before.bearing_depth.size(), 2U * 120U) << "two sides";
+    ASSERT_EQ(before.journal_depth.size(), n_corners * 120U);
+    EXPECT_EQ(before.n_regions(), 120U);
+    EXPECT_GT(before.slot_length, 0.0);
+    EXPECT_NEAR(before.removed_volume / before.archard_volume, 1.0, 1e-9) << "rounding of many deposits";
+    for (std::size_t k = 0; k < after.bearing_depth.size(); ++k) {
+      EXPECT_EQ(after.bearing_depth[k], before.bearing_depth[k] + before.bearing_depth_added[k]);
+    }
+    for (std::size_t k = 0; k < after.journal_depth.size(); ++k) {
+      EXPECT_EQ(after.journal_depth[k], before.journal_depth[k] + before.journal_depth_added[k]);
+    }
+    const auto worn = [](const std::vector<double>& depths, std::size_t surface, std::size_t n) {
+      const auto first = depths.begin() + static_cast<std::ptrdiff_t>(surface * n);
+      return *std::max_element(first, first + static_cast<std::ptrdiff_t>(n));
+    };
+    for (std::size_t side = 0; side < 2; ++side) EXPECT_GT(worn(before.bearing_depth_added, side, 120), 0.0) << side;
+    for (std::size_t c = 0; c < n_corners; ++c) EXPECT_GT(worn(before.journal_depth_added, c, 120), 0.0) << c;
+    EXPECT_NE(*find_values(stages[1], mechanism.joints[0].name + ".x_force"),
+              *find_values(stages[2], mechanism.joints[0].name + ".x_force"))
+        << "worn surfaces are felt";
+  }
+}
+
+TEST(GuideRun, EventsTellWhichCornerMetItsSideAndWhere) {
+  Study study = make_slot_study();
+  study.wear_stages = 0;
+  study.compare_ideal = false;
+  const StageRecord stage = run_study(oracle::make_slider_crank_guide(), study).at(0);
+  std::set<int> contacts;
+  for (const ContactEvent& event : stage.events) {
+    EXPECT_EQ(event.joint, 0);
+    contacts.insert(event.contact);
+    EXPECT_LE(std::abs(event.position), 0.15);
+    // The left side lies a quarter turn to the left of the slot, at 0.1 rad in the frame.
+    const double side = event.contact < 2 ? 0.5 : -0.5;
+    EXPECT_NEAR(event.angle, 0.1 + side * std::acos(-1.0), 1e-12);
+    EXPECT_GT(event.onset_speed, 0.0);
+  }
+  EXPECT_EQ(contacts, (std::set{0, 1, 2, 3})) << "every corner in a turn of the crank";
+  const auto& n_contacts = *find_values(stage, "guide.n_contacts");
+  EXPECT_GE(std::ranges::max(n_contacts), 2.0);
+}
+
+}  // namespace
+}  // namespace gudgeon
