@@ -26,8 +26,8 @@ constexpr double kFree = 21e-3;  // [m] a corner's centre from the slot's middle
 // One attempted step of a block from its start.
 class BlockStep {
  public:
-  explicit BlockStep(const BodyStart& start, Vec2 gravity = {}) {
-    Mechanism mechanism = oracle::make_loose_block(start, kNoStiffness);
+  explicit BlockStep(const BodyStart& flight, Vec2 gravity = {}) {
+    Mechanism mechanism = oracle::make_loose_block(flight, kNoStiffness);
     mechanism.gravity = gravity;
     const Assembly assembly = assemble(mechanism);
     system = compile(mechanism, assembly);

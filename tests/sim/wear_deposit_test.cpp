@@ -219,11 +219,11 @@ TEST(SlotWear, ConstantLoadDraggedAlongASideWearsEvenly) {
     std::vector<Contact> sides{make_slot_contact(0), make_slot_contact(1)};
     for (Contact& contact : sides) contact.pressure = pressure;
     WearDeposit deposit(sides, Deposition::spread, 60);
-    constexpr double kStep = 0.02e-3;  // [m], many to the contact of 0.27 mm, an integer number to a region of 10 mm
-    constexpr int kSteps = 20000;      // from -200 to 200 mm
-    for (int k = 0; k < kSteps; ++k) {
-      const ContactSample sample = make_slot_sample(1, -0.2 + (k + 0.5) * kStep);
-      deposit.add(sample, kStep / std::abs(sample.slip_speed));
+    constexpr double kSlide = 0.02e-3;  // [m], many to the contact of 0.27 mm, an integer number to a region of 10 mm
+    constexpr int kSlides = 20000;      // from -200 to 200 mm
+    for (int k = 0; k < kSlides; ++k) {
+      const ContactSample sample = make_slot_sample(1, -0.2 + (k + 0.5) * kSlide);
+      deposit.add(sample, kSlide / std::abs(sample.slip_speed));
     }
     const JointWear wear = deposit.summarize("slot");
     EXPECT_EQ(wear.slot_length, 0.6);

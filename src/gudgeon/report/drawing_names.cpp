@@ -157,7 +157,8 @@ void draw_joint_name(SvgCanvas& canvas, LabelPlacer& placer, const JointSpot& sp
 }
 
 void draw_guide_name(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& plan, const DrawnJoint& joint) {
-  const TextStyle style{.color = ink::kGround, .size = kBodyTextSize, .italic = true};
+  const TextStyle style{
+      .color = shows_clearance(joint.kind) ? ink::kClearance : ink::kGround, .size = kBodyTextSize, .italic = true};
   const Vec2 center = find_block_center(plan, joint);
   const Vec2 reach = 0.8 * kGuideHalfLength * make_sheet_direction(joint.direction);
   std::vector<Vec2> candidates = make_candidates_around(center + reach, 8.0, find_half_size(joint.name, style));
