@@ -25,6 +25,25 @@ TEST(CheckCommand, CountsASoundModel) {
   EXPECT_THAT(outcome.out, HasSubstr("One cycle takes 1 s."));
 }
 
+TEST(CheckCommand, ListsJointsLoadsAndDrivers) {
+  const TemporaryFolder folder;
+  std::string text = read_text(find_slider_crank());
+  text += "[loads.damper]\npoint = \"slider.S\"\nforce = [\"-c*slider.x_velocity\", 0]\nconstants = { c = 2 }\n";
+  text += "[loads.coil]\ntype = \"torsion_spring\"\nbetween = [\"frame\", \"crank\"]\nstiffness = 2\n";
+  const std::string file = folder.write("loads.toml", text).filename();
+  const Outcome outcome = run_program(folder, {"check", file});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("pin +revolute_clearance +rod.S +slider.S +0.1 mm radial"));
+  EXPECT_THAT(outcome.out, HasSubstr("gravity: [0, -9.81] m/s^2"));
+  EXPECT_THAT(outcome.out, HasSubstr("[-c*slider.x_velocity, 0 N]"));
+  EXPECT_THAT(outcome.out, ContainsRegex("coil +torsion_spring +frame to crank +2 N m/rad"));
+  const Outcome moved = run_program(folder, {"check", file, "--set", "drivers.motor.motion=1 + 0.1*sin(2*pi*t)",
+                                             "--set", "study.cycle_time=1", "--set", "gravity=[0, 0]"});
+  EXPECT_EQ(moved.exit_code, 0) << moved.err;
+  EXPECT_THAT(moved.out, HasSubstr("gravity: none"));
+  EXPECT_THAT(moved.out, ContainsRegex("motor +angle of crank +57.2958 deg +1 . 0.1\\*sin"));
+}
+
 TEST(CheckCommand, CaseAndSettingChangeTheModel) {
   const TemporaryFolder folder;
   const Outcome slow = run_program(folder, {"check", find_slider_crank(), "--case", "slow"});
