@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/app/program.h"
 
 namespace gudgeon::test {
@@ -79,6 +81,55 @@ TEST(CheckCommand, ErrorsShowTheLine) {
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_THAT(outcome.err, ContainsRegex("bad\\.toml:[0-9]+:[0-9]+: error E-MODEL-012"));
   EXPECT_THAT(outcome.err, HasSubstr("^^^^^^^^^"));
+}
+
+/// What `check` says of the slider-crank with more lines at its end.
+std::string find_complaint(const std::string& lines) {
+  const TemporaryFolder folder;
+  const std::string text = read_text(find_slider_crank());
+  const Outcome outcome = run_program(folder, {"check", folder.write("m.toml", text + lines).filename()});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.out, "");
+  // Places count from the lines that were added.
+  const auto n_lines = std::count(text.begin(), text.end(), '\n');
+  std::string complaint = outcome.err;
+  for (int line = 1; line <= 6; ++line) {
+    const std::string at = std::to_string(n_lines + line);
+    for (std::size_t found = complaint.find(at); found != std::string::npos; found = complaint.find(at)) {
+      complaint.replace(found, at.size(), "+" + std::to_string(line));
+    }
+  }
+  return complaint;
+}
+
+TEST(CheckCommand, PointsAtTheFaultInAFormula) {
+  EXPECT_EQ(find_complaint("[loads.motor]\nbody = \"crank\"\ntorque = \"2 * sin(3*t) + * 4\"\n"),
+            "m.toml:+3:26: error E-MODEL-081: load 'motor': torque: \"2 * sin(3*t) + * 4\" is no formula: '*' does not "
+            "fit here\n"
+            "   +3 | torque = \"2 * sin(3*t) + * 4\"\n"
+            "      |                          ^\n"
+            "1 error\n");
+}
+
+TEST(CheckCommand, PointsAtTheEntryThatDoesNotIncrease) {
+  EXPECT_EQ(find_complaint("[loads.motor]\nbody = \"crank\"\ntorque = { over = \"t\", arguments = [0, 3, 2], values = "
+                           "[1, 2, 3] }\n"),
+            "m.toml:+3:43: error E-MODEL-085: load 'motor': torque: arguments must increase; entry 2 is 3 and entry 3 "
+            "is 2\n"
+            "   +3 | torque = { over = \"t\", arguments = [0, 3, 2], values = [1, 2, 3] }\n"
+            "      |                                           ^\n"
+            "1 error\n");
+}
+
+TEST(CheckCommand, PointsAtASpringWithoutLength) {
+  EXPECT_EQ(find_complaint("[loads.coil]\ntype = \"spring\"\nbetween = [\"rod.S\", \"slider.S\"]\nstiffness = "
+                           "2\nfree_length = \"1 mm\"\n"),
+            "m.toml:+1:8: error E-MODEL-075: load 'coil': its two points coincide at the start, so the spring has no "
+            "direction\n"
+            "   +1 | [loads.coil]\n"
+            "      |        ^^^^\n"
+            "   give it two points apart, or use a bushing, which pulls two points together from wherever they are\n"
+            "1 error\n");
 }
 
 TEST(CheckCommand, MechanismThatDoesNotCloseIsAModelError) {

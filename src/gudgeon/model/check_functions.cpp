@@ -152,7 +152,8 @@ class ExpressionCheck {
     const std::string& text = expression_.text;
     const auto quantity = parse_quantity(text);
     const bool like_one = !text.empty() && (is_digit(text.front()) || text.front() == '.' || text.front() == '-');
-    if (!like_one || !std::holds_alternative<QuantityError>(quantity)) return {};
+    const bool is_formula = text.find_first_of("(?") != std::string::npos;
+    if (!like_one || is_formula || !std::holds_alternative<QuantityError>(quantity)) return {};
     return {"if a quantity was meant: " + std::get<QuantityError>(quantity).message};
   }
 
