@@ -41,8 +41,7 @@ ExitCode run_check(const CheckOptions& options) {
   require_sound(model);
   const std::string tables = with_source(model, [&] { return render_model(model); });
   write_stdout(render(model.diagnostics, model.source));
-  write_stdout(
-      fmt::format("{}{}{}\n\n", model.mechanism.name, model.case_name.empty() ? "" : ", case ", model.case_name));
+  write_stdout(render_model_title(model) + "\n");
   write_stdout(tables);
   if (options.explain) write_stdout("\n" + explain(model.mechanism, model.study));
   return ExitCode::done;

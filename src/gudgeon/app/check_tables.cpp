@@ -8,22 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "gudgeon/app/table_units.h"
 #include "gudgeon/report/table.h"
 
 namespace gudgeon {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kMillimeter = 1e-3;
-
-/// A value to `digits` decimals without a minus before zero.
-std::string render_fixed(double value, int digits) {
-  std::string text = fmt::format("{:.{}f}", value, digits);
-  if (text.find_first_of("123456789") == std::string::npos && text.starts_with('-')) text.erase(0, 1);
-  return text;
-}
 
 std::string find_side(double fold) {
   constexpr double kStraight = 1e-6;  // on such a fold the two branches meet

@@ -6,18 +6,15 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <variant>
 
+#include "gudgeon/app/table_units.h"
 #include "gudgeon/base/cubic_spline.h"
 #include "gudgeon/base/expression.h"
 #include "gudgeon/report/table.h"
 
 namespace gudgeon {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kMillimeter = 1e-3;
 
 std::string point_text(const Anchor& anchor) { return anchor.body + "." + anchor.point; }
 

@@ -22,7 +22,7 @@ constexpr double kRememberedCloseness = 5.0;
 constexpr double kStepShare = 0.2;
 // Steps kept; enough to reach back over a stride at the tightest tolerances.
 constexpr std::size_t kMostEntries = 400;
-constexpr std::size_t kNodes = 4;
+constexpr std::size_t kPassageNodes = 4;
 // The estimate is that of a polynomial two orders lower, which is off by far more than the one that is used.
 constexpr double kTrustedEstimate = 100.0;
 
@@ -31,7 +31,7 @@ constexpr double kTrustedEstimate = 100.0;
 SingularPassage::SingularPassage(std::size_t n_components, double tolerance)
     : tolerance_(tolerance),
       ring_(kMostEntries, {0.0, 0.0, std::vector<double>(n_components), std::vector<double>(n_components)}) {
-  nodes_.reserve(kNodes);
+  nodes_.reserve(kPassageNodes);
 }
 
 void SingularPassage::note(double time, const std::vector<double>& y, const std::vector<double>& slope,
@@ -67,16 +67,16 @@ double SingularPassage::find_longest_step() const {
 }
 
 std::optional<double> SingularPassage::find_far_side() {
-  if (n_entries_ < kNodes) return std::nullopt;
+  if (n_entries_ < kPassageNodes) return std::nullopt;
   const Entry& now = entry(0);
   const double stride = 2.0 * find_time_left();
   if (now.distance * now.distance * kCloseness > 1.0 || !std::isfinite(stride)) return std::nullopt;
   choose_nodes(stride);
-  if (nodes_.size() < kNodes) return std::nullopt;
+  if (nodes_.size() < kPassageNodes) return std::nullopt;
   // The polynomial through one step less tells how far this one is to be trusted.
   const double far_side = now.time + stride;
   for (std::size_t i = 0; i < now.y.size(); ++i) {
-    const double error = extrapolate(far_side, i, kNodes) - extrapolate(far_side, i, kNodes - 1);
+    const double error = extrapolate(far_side, i, kPassageNodes) - extrapolate(far_side, i, kPassageNodes - 1);
     if (!(std::abs(error) <= kTrustedEstimate * tolerance_ * std::max(1.0, std::abs(now.y[i])))) return std::nullopt;
   }
   return far_side;
@@ -85,15 +85,15 @@ std::optional<double> SingularPassage::find_far_side() {
 // The newest step and three before it, each at least a third of the stride from the next.
 void SingularPassage::choose_nodes(double stride) {
   nodes_.clear();
-  for (std::size_t back = 0; back < n_entries_ && nodes_.size() < kNodes; ++back) {
+  for (std::size_t back = 0; back < n_entries_ && nodes_.size() < kPassageNodes; ++back) {
     if (nodes_.empty() || nodes_.back()->time - entry(back).time >= stride / 3.0) nodes_.push_back(&entry(back));
   }
 }
 
 // Newton's divided differences with every node doubled, so that slopes are met as well as values.
 double SingularPassage::extrapolate(double time, std::size_t component, std::size_t n_nodes) const {
-  std::array<double, 2 * kNodes> at{};
-  std::array<double, 2 * kNodes> difference{};
+  std::array<double, 2 * kPassageNodes> at{};
+  std::array<double, 2 * kPassageNodes> difference{};
   const std::size_t n = 2 * n_nodes;
   for (std::size_t k = 0; k < n; ++k) {
     at[k] = nodes_[k / 2]->time;
@@ -112,7 +112,7 @@ double SingularPassage::extrapolate(double time, std::size_t component, std::siz
 }
 
 void SingularPassage::interpolate(double time, std::vector<double>& y) const {
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] = extrapolate(time, i, kNodes);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = extrapolate(time, i, kPassageNodes);
 }
 
 }  // namespace gudgeon
