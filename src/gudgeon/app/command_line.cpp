@@ -13,6 +13,7 @@
 
 #include "gudgeon/app/check_command.h"
 #include "gudgeon/app/draw_command.h"
+#include "gudgeon/app/equilibrium_command.h"
 #include "gudgeon/app/export_command.h"
 #include "gudgeon/app/info_command.h"
 #include "gudgeon/app/kinematics_command.h"
@@ -29,6 +30,7 @@ A first session:
   gudgeon check press.toml                    what is in the model, is it sound?
   gudgeon draw press.toml -o press.svg        is it the mechanism I mean?
   gudgeon kinematics press.toml               how does it move with ideal joints?
+  gudgeon equilibrium press.toml              where does it stay at rest?
   gudgeon run press.toml                      simulate, wear, summarise
   gudgeon info runs/press/base.h5             look at a run again
   gudgeon export runs/press/base.h5 -o csv    its channels as CSV
@@ -108,6 +110,7 @@ void add_commands(CLI::App& program, Action& action) {
   add_check_command(program, action);
   add_draw_command(program, action);
   add_kinematics_command(program, action);
+  add_equilibrium_command(program, action);
   add_run_command(program, action);
   add_info_command(program, action);
   add_export_command(program, action);
