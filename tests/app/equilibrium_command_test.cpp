@@ -47,7 +47,18 @@ TEST(EquilibriumCommand, NoEquilibriumIsANumericalError) {
   folder.write("bar.toml", std::string(kBar) + "[loads.motor]\nbody = \"bar\"\ntorque = \"30 N m\"\n");
   const Outcome outcome = run_program(folder, {"equilibrium", "bar.toml"});
   EXPECT_EQ(outcome.exit_code, 4);
-  EXPECT_THAT(outcome.err, HasSubstr("E-NUM-011"));
+  EXPECT_THAT(outcome.err, HasSubstr("E-NUM-011: no equilibrium was found"));
+  EXPECT_THAT(outcome.err, HasSubstr("'bar' at rest would still accelerate"));
+}
+
+TEST(EquilibriumCommand, HoldsDriversAndClosesClearances) {
+  const TemporaryFolder folder;
+  const std::string press = std::string(GUDGEON_SOURCE_DIR) + "/examples/nine_bar/nine_bar.toml";
+  const Outcome outcome = run_program(folder, {"equilibrium", press});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("The clearance joints A, B are taken as ideal.\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("No degree of freedom is left: the drivers hold it."));
+  EXPECT_THAT(outcome.out, ContainsRegex("crank_1 +[0-9.]+ mN m"));
 }
 
 }  // namespace

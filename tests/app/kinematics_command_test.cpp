@@ -70,9 +70,22 @@ TEST(KinematicsCommand, ListsTheNineBarsBranches) {
   EXPECT_THAT(outcome.out, Not(HasSubstr("'D_rods' left")));
 }
 
+TEST(KinematicsCommand, NamesTheClearanceJointsThatItTakesAsIdeal) {
+  const TemporaryFolder folder;
+  const std::string press = std::string(GUDGEON_SOURCE_DIR) + "/examples/nine_bar/nine_bar.toml";
+  EXPECT_THAT(run_program(folder, {"kinematics", press, "--samples", "4"}).out,
+              HasSubstr("The clearance joints A, B are taken as ideal.\n"));
+  EXPECT_THAT(run_program(folder, {"kinematics", kFourBar, "--branches"}).out,
+              HasSubstr("The clearance joint B is taken as ideal.\n"));
+}
+
 TEST(KinematicsCommand, CountsMustMakeSense) {
   const TemporaryFolder folder;
-  EXPECT_EQ(run_program(folder, {"kinematics", kFourBar, "--samples", "0"}).exit_code, 2);
+  const Outcome none = run_program(folder, {"kinematics", kFourBar, "--samples", "0"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("--samples must be at least 2; it is 0"));
+  EXPECT_EQ(run_program(folder, {"kinematics", kFourBar, "--cycles", "-1"}).exit_code, 2);
+  EXPECT_EQ(run_program(folder, {"kinematics", kFourBar, "--samples", "100000000"}).exit_code, 2);
 }
 
 }  // namespace

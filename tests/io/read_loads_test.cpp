@@ -138,7 +138,7 @@ TEST(ReadLoads, MarksThePartOfAFormulaThatIsWrong) {
 }
 
 TEST(ReadLoads, ScalesCurves) {
-  std::string text = kModel;
+  std::string text = kLoadedModel;
   const std::string from = "arguments = [0, 1, 3], values = [20, 15, 0], value_unit = \"N m\"";
   text.replace(
       text.find(from), from.size(),
@@ -156,7 +156,7 @@ TEST(ReadLoads, ScalesCurves) {
 }
 
 TEST(ReadLoads, TakesFormulasThatLookLikeQuantities) {
-  Mechanism mechanism = read_model(kModel).mechanism;
+  Mechanism mechanism = read_model(kLoadedModel).mechanism;
   mechanism.loads[1].kind = VariableTorque{"arm", "frame", Expression{"0.5", {}}};
   auto& push = std::get<VariableForce>(mechanism.loads[0].kind);
   push.x = Expression{"2*t + b", {{"b", 0.1}, {"c", 3.0}}};
@@ -172,7 +172,7 @@ TEST(ReadLoads, TakesFormulasThatLookLikeQuantities) {
 
 TEST(ReadLoads, HoldsTheKeyThatWasSetLater) {
   const auto read_with = [](const std::vector<Override>& overrides) {
-    return read_model_text("model.toml", kModel, {}, overrides);
+    return read_model_text("model.toml", kLoadedModel, {}, overrides);
   };
   const ModelFile slow = read_with({{"drivers.knee.speed", "1 rev/s"}, {"study.cycle_driver", "knee"}});
   ASSERT_FALSE(slow.diagnostics.has_errors()) << render(slow.diagnostics, slow.source);

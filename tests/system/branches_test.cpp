@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "gudgeon/system/assembly.h"
+#include "gudgeon/system/loop_folds.h"
 #include "tests/oracle/mechanism_parts.h"
 #include "tests/oracle/mechanisms.h"
 #include "tests/system/model_errors.h"
@@ -46,6 +47,38 @@ TEST(Branches, BothAreReachedFromOneGuess) {
   expect_both_sides(drive(oracle::make_slider_crank(), 1), "guide");
   // Behind two loops that only close together.
   expect_both_sides(oracle::make_nine_bar(), "guide");
+}
+
+TEST(Branches, PinsInSlotsHaveThem) {
+  // The slot's line turns with the rocker, beyond the pin or before it.
+  expect_both_sides(oracle::make_quick_return(), "slot");
+}
+
+TEST(Branches, LoopsBehindDriversBetweenBodiesHaveThem) {
+  // Crank and first rod are known, the rod by its angle against the crank: the other two links are a dyad.
+  Mechanism mechanism = drive(oracle::make_five_bar(), 1);
+  mechanism.bodies[2].start = {};
+  mechanism.drivers.push_back({"elbow", DrivenAngle{"rod_2", "crank_1"}, -1.0, 0.5});
+  const std::string joint = assemble(mechanism).branches.front().joint;
+  expect_both_sides(mechanism, joint);
+  const Mechanism ideal = make_ideal(mechanism);
+  const Topology topology = find_topology(ideal);
+  const Tables tables = compile_tables(ideal, topology);
+  const LoopFolds folds(ideal, topology, tables);
+  ASSERT_EQ(folds.folds().size(), 1u) << "a driver's closure folds nowhere";
+  EXPECT_TRUE(folds.folds()[0].is_dyad);
+}
+
+TEST(Branches, ALoopWhoseDriverSharesItsUnknownsIsNoDyad) {
+  Mechanism mechanism = oracle::make_four_bar();
+  for (Body& body : mechanism.bodies) body.start.angle_rate.reset();
+  mechanism.drivers.push_back({"elbow", DrivenAngle{"coupler", "crank"}, 0.56 - 1.1, 0.5});
+  const Topology topology = find_topology(mechanism);
+  const Tables tables = compile_tables(mechanism, topology);
+  const LoopFolds folds(mechanism, topology, tables);
+  ASSERT_EQ(folds.folds().size(), 1u);
+  EXPECT_FALSE(folds.folds()[0].is_dyad);
+  EXPECT_EQ(assemble(mechanism).branches.size(), 1u);
 }
 
 TEST(Branches, UndrivenLoopFoldsWhereItCloses) {
