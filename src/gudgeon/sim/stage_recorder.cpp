@@ -93,8 +93,11 @@ void StageRecorder::add_joint_channels() {
 }
 
 void StageRecorder::add_driver_channels() {
-  for (const DrivenMotion& motion : system_->tables.driven) {
-    const Driver& driver = system_->mechanism.drivers[motion.driver];
+  const auto& driven = system_->tables.driven;
+  for (std::size_t d = 0; d < system_->mechanism.drivers.size(); ++d) {
+    const Driver& driver = system_->mechanism.drivers[d];
+    const auto found = std::ranges::find(driven, static_cast<int>(d), &DrivenMotion::driver);
+    efforts_.push_back(static_cast<std::size_t>(found - driven.begin()));
     const bool turns = std::holds_alternative<DrivenAngle>(driver.target);
     add(driver.name + ".effort", turns ? "T" : "F", turns ? "N m" : "N",
         turns ? "Torque that the driver delivers" : "Force that the driver delivers", true);
@@ -188,7 +191,7 @@ void StageRecorder::sample(double time, Workspace& workspace, std::span<const Co
   fill_bodies();
   fill_clearances(workspace, latches);
   fill_joints();
-  for (const double effort : workspace.effort) put(effort);
+  for (const std::size_t d : efforts_) put(workspace.effort[d]);
   fill_loads(workspace);
   fill_energies(workspace, initial_energy, integrals);
   time_.push_back(time);
@@ -216,7 +219,7 @@ void StageRecorder::watch(double time, const Workspace& workspace, std::span<con
     watched_row_[at++] = forces.friction_force;
     watched_row_[at++] = forces.slip_speed;
   }
-  for (const double effort : workspace.effort) watched_row_[at++] = effort;
+  for (const std::size_t d : efforts_) watched_row_[at++] = workspace.effort[d];
   step_statistics_.update(time, watched_row_);
 }
 

@@ -57,6 +57,7 @@ class StageRecorder {
   void put(Vec2 value) { put(value.x), put(value.y); }
 
   const System* system_;
+  std::vector<std::size_t> efforts_;  // one a driver in the model's order: index into Workspace::effort
   BodyMotionFinder motion_;
   ReactionFinder reaction_;
   std::vector<Channel> channels_;
