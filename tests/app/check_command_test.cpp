@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/app/program.h"
 
 namespace gudgeon::test {
@@ -23,6 +25,25 @@ TEST(CheckCommand, CountsASoundModel) {
   EXPECT_THAT(outcome.out, ContainsRegex("constraint rows +7"));
   EXPECT_THAT(outcome.out, ContainsRegex("degrees of freedom +2"));
   EXPECT_THAT(outcome.out, HasSubstr("One cycle takes 1 s."));
+}
+
+TEST(CheckCommand, ListsJointsLoadsAndDrivers) {
+  const TemporaryFolder folder;
+  std::string text = read_text(find_slider_crank());
+  text += "[loads.damper]\npoint = \"slider.S\"\nforce = [\"-c*slider.x_velocity\", 0]\nconstants = { c = 2 }\n";
+  text += "[loads.coil]\ntype = \"torsion_spring\"\nbetween = [\"frame\", \"crank\"]\nstiffness = 2\n";
+  const std::string file = folder.write("loads.toml", text).filename();
+  const Outcome outcome = run_program(folder, {"check", file});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("pin +revolute_clearance +rod.S +slider.S +0.1 mm radial"));
+  EXPECT_THAT(outcome.out, HasSubstr("gravity: [0, -9.81] m/s^2"));
+  EXPECT_THAT(outcome.out, HasSubstr("[-c*slider.x_velocity, 0 N]"));
+  EXPECT_THAT(outcome.out, ContainsRegex("coil +torsion_spring +frame to crank +2 N m/rad"));
+  const Outcome moved = run_program(folder, {"check", file, "--set", "drivers.motor.motion=1 + 0.1*sin(2*pi*t)",
+                                             "--set", "study.cycle_time=1", "--set", "gravity=[0, 0]"});
+  EXPECT_EQ(moved.exit_code, 0) << moved.err;
+  EXPECT_THAT(moved.out, HasSubstr("gravity: none"));
+  EXPECT_THAT(moved.out, ContainsRegex("motor +angle of crank +57.2958 deg +1 . 0.1\\*sin"));
 }
 
 TEST(CheckCommand, CaseAndSettingChangeTheModel) {
@@ -60,6 +81,55 @@ TEST(CheckCommand, ErrorsShowTheLine) {
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_THAT(outcome.err, ContainsRegex("bad\\.toml:[0-9]+:[0-9]+: error E-MODEL-012"));
   EXPECT_THAT(outcome.err, HasSubstr("^^^^^^^^^"));
+}
+
+/// What `check` says of the slider-crank with more lines at its end.
+std::string find_complaint(const std::string& lines) {
+  const TemporaryFolder folder;
+  const std::string text = read_text(find_slider_crank());
+  const Outcome outcome = run_program(folder, {"check", folder.write("m.toml", text + lines).filename()});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.out, "");
+  // Places count from the lines that were added.
+  const auto n_lines = std::count(text.begin(), text.end(), '\n');
+  std::string complaint = outcome.err;
+  for (int line = 1; line <= 6; ++line) {
+    const std::string at = std::to_string(n_lines + line);
+    for (std::size_t found = complaint.find(at); found != std::string::npos; found = complaint.find(at)) {
+      complaint.replace(found, at.size(), "+" + std::to_string(line));
+    }
+  }
+  return complaint;
+}
+
+TEST(CheckCommand, PointsAtTheFaultInAFormula) {
+  EXPECT_EQ(find_complaint("[loads.motor]\nbody = \"crank\"\ntorque = \"2 * sin(3*t) + * 4\"\n"),
+            "m.toml:+3:26: error E-MODEL-081: load 'motor': torque: \"2 * sin(3*t) + * 4\" is no formula: '*' does not "
+            "fit here\n"
+            "   +3 | torque = \"2 * sin(3*t) + * 4\"\n"
+            "      |                          ^\n"
+            "1 error\n");
+}
+
+TEST(CheckCommand, PointsAtTheEntryThatDoesNotIncrease) {
+  EXPECT_EQ(find_complaint("[loads.motor]\nbody = \"crank\"\ntorque = { over = \"t\", arguments = [0, 3, 2], values = "
+                           "[1, 2, 3] }\n"),
+            "m.toml:+3:43: error E-MODEL-085: load 'motor': torque: arguments must increase; entry 2 is 3 and entry 3 "
+            "is 2\n"
+            "   +3 | torque = { over = \"t\", arguments = [0, 3, 2], values = [1, 2, 3] }\n"
+            "      |                                           ^\n"
+            "1 error\n");
+}
+
+TEST(CheckCommand, PointsAtASpringWithoutLength) {
+  EXPECT_EQ(find_complaint("[loads.coil]\ntype = \"spring\"\nbetween = [\"rod.S\", \"slider.S\"]\nstiffness = "
+                           "2\nfree_length = \"1 mm\"\n"),
+            "m.toml:+1:8: error E-MODEL-075: load 'coil': its two points coincide at the start, so the spring has no "
+            "direction\n"
+            "   +1 | [loads.coil]\n"
+            "      |        ^^^^\n"
+            "   give it two points apart, or use a bushing, which pulls two points together from wherever they are\n"
+            "1 error\n");
 }
 
 TEST(CheckCommand, MechanismThatDoesNotCloseIsAModelError) {

@@ -57,6 +57,12 @@ TEST(Expression, KnowsFunctions) {
   EXPECT_DOUBLE_EQ(eval_constant("-2^2"), -4.0);
 }
 
+TEST(Expression, ListsItsFunctions) {
+  const std::vector<std::string>& names = list_formula_functions();
+  EXPECT_THAT(names, testing::IsSupersetOf({"sin", "atan2", "sqrt", "smooth_step", "max"}));
+  EXPECT_THAT(names, testing::Not(testing::Contains("pi")));
+}
+
 TEST(Expression, StepsSmoothly) {
   ExpressionEvaluator formula("smooth_step(t, 1, 3)", {}, {"t"});
   const auto at = [&](double t) { return formula.eval(&t); };

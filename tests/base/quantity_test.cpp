@@ -51,7 +51,9 @@ INSTANTIATE_TEST_SUITE_P(
         Good{"1 t", 1000.0, dimension::kMass}, Good{"1 in", 0.0254, dimension::kLength},
         Good{"12 µm", 12e-6, dimension::kLength}, Good{"90°", kHalfTurn / 2.0, dimension::kAngle},
         Good{"9.81 m/s²", 9.81, dimension::kAcceleration}, Good{"400 s/m", 400.0, dimension::kTimePerLength},
-        Good{"+.5 m", 0.5, dimension::kLength}));
+        Good{"+.5 m", 0.5, dimension::kLength}, Good{"2 N/mm", 2000.0, dimension::kStiffness},
+        Good{"3 N s/m", 3.0, dimension::kDamping}, Good{"3 N m/rad", 3.0, dimension::kAngularStiffness},
+        Good{"3 N m s/rad", 3.0, dimension::kAngularDamping}));
 
 struct BadQuantity {
   const char* text;

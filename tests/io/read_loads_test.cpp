@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "gudgeon/io/explain.h"
 #include "gudgeon/io/model_reader.h"
 
@@ -120,8 +122,70 @@ TEST(ReadLoads, TellsWhatIsWrongWithACurve) {
   using testing::HasSubstr;
   EXPECT_THAT(find_messages("arguments = [0, 1, 3]", "arguments = [0, 3, 1]"),
               AllOf(HasSubstr("E-MODEL-085"), HasSubstr("must increase")));
-  EXPECT_THAT(find_messages("arguments = [0, 1, 3]", "arguments = [0, \"x\", 3]"), HasSubstr("a number is needed"));
+  EXPECT_THAT(find_messages("arguments = [0, 1, 3]", "arguments = [0, \"x\", 3]"),
+              HasSubstr("entry 2 of arguments is \"x\""));
   EXPECT_THAT(find_messages("value_unit = \"N m\"", "value_unit = \"mm\""), HasSubstr("E-FILE-005"));
+}
+
+TEST(ReadLoads, MarksThePartOfAFormulaThatIsWrong) {
+  EXPECT_THAT(find_messages("-c*leg.B.y_velocity", "-c*µ*leg.B.z"),
+              testing::HasSubstr("   | force = [\"10 N\", \"-c*µ*leg.B.z\"]\n      |                       ^^^^^^^\n"));
+  // All names at once, and the quantity that may have been meant.
+  const std::string messages = find_messages("-c*leg.B.y_velocity", "5 Nn + q");
+  EXPECT_THAT(messages, testing::HasSubstr("uses 'Nn'"));
+  EXPECT_THAT(messages, testing::HasSubstr("uses 'q'"));
+  EXPECT_THAT(messages, testing::HasSubstr("if a quantity was meant: unknown unit 'Nn'; did you mean 'N'?"));
+}
+
+TEST(ReadLoads, ScalesCurves) {
+  std::string text = kLoadedModel;
+  const std::string from = "arguments = [0, 1, 3], values = [20, 15, 0], value_unit = \"N m\"";
+  text.replace(
+      text.find(from), from.size(),
+      "arguments = [0, \"60 rpm\", 720], argument_unit = \"deg/s\", values = [2, \"1500 N m\", 0], value_unit = "
+      "\"kN m\"");
+  const ModelFile model = read_model(text);
+  ASSERT_FALSE(model.diagnostics.has_errors()) << render(model.diagnostics, model.source);
+  const auto& torque = std::get<VariableTorque>(model.mechanism.loads[1].kind).torque;
+  const auto& curve = std::get<SampledCurve>(torque);
+  EXPECT_DOUBLE_EQ(curve.arguments[1], 2.0 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(curve.arguments[2], 4.0 * std::numbers::pi);
+  EXPECT_EQ(curve.values, (std::vector<double>{2000.0, 1500.0, 0.0}));
+  EXPECT_THAT(find_messages("arguments = [0, 1, 3]", "argument_unit = \"s\", arguments = [0, 1, 3]"),
+              testing::HasSubstr("argument_unit is \"s\", a time; an angular speed is needed"));
+}
+
+TEST(ReadLoads, TakesFormulasThatLookLikeQuantities) {
+  Mechanism mechanism = read_model(kLoadedModel).mechanism;
+  mechanism.loads[1].kind = VariableTorque{"arm", "frame", Expression{"0.5", {}}};
+  auto& push = std::get<VariableForce>(mechanism.loads[0].kind);
+  push.x = Expression{"2*t + b", {{"b", 0.1}, {"c", 3.0}}};
+  Study study;
+  study.cycle_time = 1.0;
+  const ModelFile back = read_model(explain(mechanism, study));
+  ASSERT_FALSE(back.diagnostics.has_errors()) << render(back.diagnostics, back.source);
+  EXPECT_EQ(std::get<Expression>(std::get<VariableTorque>(back.mechanism.loads[1].kind).torque).text, "(0.5)");
+  const auto& again = std::get<VariableForce>(back.mechanism.loads[0].kind);
+  EXPECT_EQ(std::get<Expression>(again.x).constants.size(), 2U);  // those of x, and the same c of y
+  EXPECT_EQ(std::get<Expression>(again.x).text, "2*t + b");
+}
+
+TEST(ReadLoads, HoldsTheKeyThatWasSetLater) {
+  const auto read_with = [](const std::vector<Override>& overrides) {
+    return read_model_text("model.toml", kLoadedModel, {}, overrides);
+  };
+  const ModelFile slow = read_with({{"drivers.knee.speed", "1 rev/s"}, {"study.cycle_driver", "knee"}});
+  ASSERT_FALSE(slow.diagnostics.has_errors()) << render(slow.diagnostics, slow.source);
+  EXPECT_TRUE(slow.mechanism.drivers[0].is_uniform());
+  EXPECT_DOUBLE_EQ(slow.study.cycle_time, 1.0);
+  EXPECT_EQ(slow.study.cycle_driver, "knee");
+  const ModelFile both = read_with({{"study.cycle_driver", "knee"}, {"study.cycle_time", "2 s"}});
+  EXPECT_THAT(render(both.diagnostics, both.source), testing::HasSubstr("exclude each other"));
+}
+
+TEST(ReadLoads, MotionsNeedACycleTime) {
+  EXPECT_THAT(find_messages("cycle_time = 1", ""), testing::HasSubstr("E-STUDY-013"));
+  EXPECT_THAT(find_messages("cycle_time = 1", "cycle_driver = \"knee\""), testing::HasSubstr("E-STUDY-012"));
 }
 
 TEST(ReadLoads, TellsWhatIsWrongWithASpring) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A good model, and one way to spoil it beside what the check must say then.
+// A model that is good, and ways to break one rule of the check in it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,10 +9,11 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <variant>
 
 #include "gudgeon/model/check.h"
 
-namespace gudgeon::test {
+namespace gudgeon::broken {
 
 inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -53,6 +54,7 @@ struct Broken {
   std::function<void(Model&)> spoil;
 };
 
+/// The broken rule is among what the check finds.
 inline void expect_found(const Broken& broken) {
   Model model = make_good();
   broken.spoil(model);
@@ -64,4 +66,29 @@ inline void expect_found(const Broken& broken) {
   EXPECT_NE(text.find(broken.message), std::string::npos) << text;
 }
 
-}  // namespace gudgeon::test
+inline std::function<void(Model&)> with_load(const AnyLoad& kind) {
+  return [kind](Model& m) { m.mechanism.loads.push_back({"x", kind}); };
+}
+
+/// The driver with that motion, in a study that has a cycle of its own: 10 cycles of 1 s.
+inline std::function<void(Model&)> with_motion(const std::variant<std::monostate, Expression, SampledCurve>& motion) {
+  return [motion](Model& m) {
+    m.mechanism.drivers[0] = {"crank", DrivenAngle{"crank"}, 0.0, 0.0, motion};
+    m.study.cycle_driver = "";
+    m.study.cycle_time = 1.0;
+  };
+}
+
+inline VariableTorque torque_of(const Function& function) { return {"crank", "frame", function}; }
+
+/// A guide with clearance in place of the good model's.
+inline std::function<void(Model&)> with_guide(double bearing_length, double journal_length, double corner_radius,
+                                              double clearance) {
+  return [=](Model& m) {
+    m.mechanism.joints[3].kind =
+        PrismaticClearance{{"frame", "G"}, {"slider", "S"}, 0.0,       0.0,  bearing_length, journal_length,
+                           0.02,           corner_radius,   clearance, 0.01, m.pin().contact};
+  };
+}
+
+}  // namespace gudgeon::broken

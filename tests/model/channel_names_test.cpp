@@ -34,6 +34,16 @@ TEST(ChannelNames, AreThoseOfBodiesPointsAndSlides) {
                                           "guide.speed", "slot.displacement", "slot.speed"));
 }
 
+TEST(ChannelNames, HaveTheirDimension) {
+  for (const StateChannel& channel : list_state_channels(make_slider())) {
+    EXPECT_TRUE(find_channel_dimension(channel.name).has_value()) << channel.name;
+  }
+  EXPECT_EQ(find_channel_dimension("t"), dimension::kTime);
+  EXPECT_EQ(find_channel_dimension("piston.B.y_velocity"), dimension::kSpeed);
+  EXPECT_EQ(find_channel_dimension("crank.angle_rate"), dimension::kAngularSpeed);
+  EXPECT_EQ(find_channel_dimension("A.normal_force"), std::nullopt);
+}
+
 TEST(ChannelNames, SayWhatTheyStandFor) {
   const auto channels = list_state_channels(make_slider());
   const auto find = [&](const char* name) { return *std::ranges::find(channels, name, &StateChannel::name); };

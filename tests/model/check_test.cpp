@@ -4,17 +4,10 @@
 // Every rule of the check, each broken alone in a mechanism that is otherwise good.
 #include "gudgeon/model/check.h"
 
-#include <gtest/gtest.h>
-
 #include "tests/model/broken_model.h"
 
-namespace gudgeon {
+namespace gudgeon::broken {
 namespace {
-
-using test::Broken;
-using test::kNan;
-using test::make_good;
-using test::Model;
 
 TEST(Check, FindsNothingInAGoodModel) {
   const Model model = make_good();
@@ -39,7 +32,7 @@ TEST(Check, RemarksNoRestitutionThatIsDelivered) {
 
 class CheckFinds : public testing::TestWithParam<Broken> {};
 
-TEST_P(CheckFinds, TheBrokenRule) { test::expect_found(GetParam()); }
+TEST_P(CheckFinds, TheBrokenRule) { expect_found(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     Bodies, CheckFinds,
@@ -204,6 +197,21 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"R-STUDY-002", "study.deposition", "conserve",
                [](Model& m) { m.study.deposition = Deposition::point; }}));
 
+/// A load on the good model's bodies, under the name "x".
+TEST(Check, AcceptsWhatIsRight) {
+  Model model = make_good();
+  with_guide(0.2, 0.03, 0.01, 0.0001)(model);
+  std::get<PrismaticClearance>(model.mechanism.joints[3].kind).contact.normal_force = Hertz{};
+  with_motion(Expression{"a*sin(2*pi*t)", {{"a", 0.3}}})(model);
+  with_load(torque_of(Expression{"slider.S.x > 0 ? -guide.speed : max(crank.angle, frame.O.x)", {}}))(model);
+  with_load(Spring{{"crank", "O"}, {"rod", "S"}, 1.0, 0.0, 0.1})(model);
+  model.mechanism.loads.back().name = "y";
+  const Diagnostics found = check(model.mechanism, model.study);
+  EXPECT_FALSE(found.has_errors()) << render(found, {});
+  model.mechanism.drivers[0].motion = SampledCurve{"t", {0.0, 0.5, 1.0}, {0.0, 1.0, 0.0}, true};
+  EXPECT_FALSE(check(model.mechanism, model.study).has_errors());
+}
+
 TEST(Check, ReportsEverythingAtOnce) {
   Model model = make_good();
   model.mechanism.bodies[1].mass = 0.0;
@@ -222,4 +230,4 @@ TEST(Check, ShowsHowAValueWasWritten) {
 }
 
 }  // namespace
-}  // namespace gudgeon
+}  // namespace gudgeon::broken

@@ -263,5 +263,36 @@ TEST(StageRecorder, WatchedChannelsTakeTheirStatisticsFromSteps) {
   EXPECT_EQ(find_statistics(stage, "rod_2.x")->minimum_time, 0.0) << "sampled";
 }
 
+TEST(StageRecorder, EffortsStandInTheModelsOrderOfDrivers) {
+  // Slides, a relative driver and a turn, written in the order opposite to that of the coordinates.
+  Mechanism mechanism = oracle::make_moved_slides();
+  mechanism.bodies.back().start = {};
+  mechanism.drivers.push_back({"wag", DrivenAngle{"tail", "pendulum"}, 0.4, 0.0});
+  std::ranges::reverse(mechanism.drivers);
+  std::swap(mechanism.drivers[1], mechanism.drivers[2]);
+  Recorded run(mechanism);
+  run.sample();
+  run.watch(0.0);
+  run.watch(1.0);
+  const StageRecord stage = run.finish();
+  std::vector<std::string> order;
+  for (const Channel& channel : stage.channels) {
+    if (channel.name.ends_with(".effort")) order.push_back(channel.name);
+  }
+  ASSERT_EQ(order.size(), 4u);
+  std::set<double> distinct;
+  for (std::size_t d = 0; d < order.size(); ++d) {
+    EXPECT_EQ(order[d], mechanism.drivers[d].name + ".effort");
+    const auto& driven = run.system.tables.driven;
+    const auto at = std::ranges::find(driven, static_cast<int>(d), &DrivenMotion::driver) - driven.begin();
+    const double effort = run.equations.workspace.effort[static_cast<std::size_t>(at)];
+    EXPECT_EQ((*find_values(stage, order[d]))[0], effort) << order[d];
+    EXPECT_EQ(find_statistics(stage, order[d])->maximum, effort) << order[d];
+    distinct.insert(effort);
+  }
+  EXPECT_EQ(distinct.size(), 4u) << "efforts that do not differ cannot tell their order";
+  EXPECT_NE(run.system.tables.driven[0].driver, 0) << "the coordinates must not happen to be in the model's order";
+}
+
 }  // namespace
 }  // namespace gudgeon

@@ -10,6 +10,7 @@
 
 #include "gudgeon/app/check_tables.h"
 #include "gudgeon/app/model_options.h"
+#include "gudgeon/app/model_tables.h"
 #include "gudgeon/app/text_output.h"
 #include "gudgeon/io/explain.h"
 #include "gudgeon/system/assembly.h"
@@ -31,7 +32,8 @@ std::string render_model(const ModelFile& model) {
   const bool color = find_color_wanted();
   return render_counts(model.mechanism, find_mobility(model.mechanism), color) +
          render_start(model.mechanism, assembly, color) + render_loops(assembly, color) +
-         render_drivers(model.mechanism, model.study, color);
+         render_joints(model.mechanism, color) + render_loads(model.mechanism, color) +
+         render_drivers(model.mechanism, color) + render_cycle(model.study);
 }
 
 ExitCode run_check(const CheckOptions& options) {
@@ -39,8 +41,7 @@ ExitCode run_check(const CheckOptions& options) {
   require_sound(model);
   const std::string tables = with_source(model, [&] { return render_model(model); });
   write_stdout(render(model.diagnostics, model.source));
-  write_stdout(
-      fmt::format("{}{}{}\n\n", model.mechanism.name, model.case_name.empty() ? "" : ", case ", model.case_name));
+  write_stdout(render_model_title(model) + "\n");
   write_stdout(tables);
   if (options.explain) write_stdout("\n" + explain(model.mechanism, model.study));
   return ExitCode::done;

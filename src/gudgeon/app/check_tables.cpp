@@ -8,23 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <variant>
 
+#include "gudgeon/app/table_units.h"
 #include "gudgeon/report/table.h"
 
 namespace gudgeon {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kMillimeter = 1e-3;
-
-/// A value to `digits` decimals without a minus before zero.
-std::string render_fixed(double value, int digits) {
-  std::string text = fmt::format("{:.{}f}", value, digits);
-  if (text.find_first_of("123456789") == std::string::npos && text.starts_with('-')) text.erase(0, 1);
-  return text;
-}
 
 std::string find_side(double fold) {
   constexpr double kStraight = 1e-6;  // on such a fold the two branches meet
@@ -88,21 +77,8 @@ std::string render_loops(const Assembly& assembly, bool color) {
   return render_title("Loops and the branch each is on", color) + table.render(color);
 }
 
-std::string render_drivers(const Mechanism& mechanism, const Study& study, bool color) {
-  Table table({{"driver"}, {"drives"}, {"at t = 0", Alignment::right}, {"speed", Alignment::right}});
-  for (const Driver& driver : mechanism.drivers) {
-    if (const auto* angle = std::get_if<DrivenAngle>(&driver.target)) {
-      table.add_row({driver.name, "angle of " + angle->body, fmt::format("{:.6g} deg", driver.start / kDegree),
-                     fmt::format("{:.6g} deg/s", driver.speed / kDegree)});
-    } else {
-      table.add_row({driver.name, "slide of " + std::get<DrivenSlide>(driver.target).joint,
-                     fmt::format("{:.6g} mm", driver.start / kMillimeter),
-                     fmt::format("{:.6g} mm/s", driver.speed / kMillimeter)});
-    }
-  }
-  std::string text = table.empty() ? std::string{} : render_title("Drivers", color) + table.render(color);
-  if (study.cycle_time > 0.0) text += fmt::format("\nOne cycle takes {:.6g} s.\n", study.cycle_time);
-  return text;
+std::string render_cycle(const Study& study) {
+  return study.cycle_time > 0.0 ? fmt::format("\nOne cycle takes {:.6g} s.\n", study.cycle_time) : std::string{};
 }
 
 }  // namespace gudgeon

@@ -19,7 +19,7 @@ std::string render_counts(const Mechanism& mechanism, const Mobility& mobility, 
 std::string render_start(const Mechanism& mechanism, const Assembly& assembly, bool color);
 /// To which side each loop folds.
 std::string render_loops(const Assembly& assembly, bool color);
-/// What moves it, and how long a cycle takes.
-std::string render_drivers(const Mechanism& mechanism, const Study& study, bool color);
+/// How long a cycle takes.
+std::string render_cycle(const Study& study);
 
 }  // namespace gudgeon

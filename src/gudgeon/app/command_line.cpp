@@ -13,8 +13,10 @@
 
 #include "gudgeon/app/check_command.h"
 #include "gudgeon/app/draw_command.h"
+#include "gudgeon/app/equilibrium_command.h"
 #include "gudgeon/app/export_command.h"
 #include "gudgeon/app/info_command.h"
+#include "gudgeon/app/kinematics_command.h"
 #include "gudgeon/app/laws_command.h"
 #include "gudgeon/app/run_command.h"
 #include "gudgeon/app/text_output.h"
@@ -27,6 +29,8 @@ constexpr const char* kExamples = R"(
 A first session:
   gudgeon check press.toml                    what is in the model, is it sound?
   gudgeon draw press.toml -o press.svg        is it the mechanism I mean?
+  gudgeon kinematics press.toml               how does it move with ideal joints?
+  gudgeon equilibrium press.toml              where does it stay at rest?
   gudgeon run press.toml                      simulate, wear, summarise
   gudgeon info runs/press/base.h5             look at a run again
   gudgeon export runs/press/base.h5 -o csv    its channels as CSV
@@ -105,6 +109,8 @@ void add_commands(CLI::App& program, Action& action) {
   program.get_formatter()->column_width(34);
   add_check_command(program, action);
   add_draw_command(program, action);
+  add_kinematics_command(program, action);
+  add_equilibrium_command(program, action);
   add_run_command(program, action);
   add_info_command(program, action);
   add_export_command(program, action);

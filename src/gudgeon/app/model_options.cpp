@@ -45,6 +45,29 @@ void require_sound(const ModelFile& model) {
   if (model.diagnostics.has_errors()) throw RejectedModel(render(model.diagnostics, model.source));
 }
 
+void require_sound_mechanism(const ModelFile& model) {
+  Diagnostics diagnostics;
+  for (const Diagnostic& one : model.diagnostics.items()) {
+    if (!one.code.starts_with("E-STUDY")) diagnostics.add(one);
+  }
+  if (diagnostics.has_errors()) throw RejectedModel(render(diagnostics, model.source));
+}
+
+std::string render_model_title(const ModelFile& model) {
+  return fmt::format("{}{}{}\n", model.mechanism.name, model.case_name.empty() ? "" : ", case ", model.case_name);
+}
+
+std::string name_closed_joints(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const Joint& joint : mechanism.joints) {
+    if (has_clearance(joint.kind)) names.push_back(joint.name);
+  }
+  if (names.empty()) return {};
+  const bool one = names.size() == 1;
+  return fmt::format("The clearance joint{} {} {} taken as ideal.\n", one ? "" : "s", join_names(names),
+                     one ? "is" : "are");
+}
+
 void reject(const ModelError& error, const ModelFile& model) {
   throw RejectedModel(render(error.diagnostics(), model.source));
 }

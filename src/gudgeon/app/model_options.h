@@ -38,6 +38,12 @@ void add_case_option(CLI::App& command, std::string& case_name);
 ModelFile read_case(const ModelOptions& options, std::string_view case_name);
 /// Throws RejectedModel when the model has errors.
 void require_sound(const ModelFile& model);
+/// The same where the study does not matter: its errors are left out.
+void require_sound_mechanism(const ModelFile& model);
+/// "press, case wide", a line.
+std::string render_model_title(const ModelFile& model);
+/// "The clearance joints A, B are taken as ideal.", a line; nothing without such joints.
+std::string name_closed_joints(const Mechanism& mechanism);
 /// A ModelError met later, told in terms of the model's file.
 [[noreturn]] void reject(const ModelError& error, const ModelFile& model);
 

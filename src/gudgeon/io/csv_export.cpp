@@ -215,4 +215,15 @@ std::vector<std::filesystem::path> export_csv(const RunRecord& run, const std::f
   return written;
 }
 
+std::vector<std::filesystem::path> export_motion(const StageRecord& stage, const std::filesystem::path& directory,
+                                                 bool overwrite) {
+  make_directory(directory);
+  const std::vector<std::filesystem::path> paths{directory / (stage.name + "_channels.csv"),
+                                                 directory / (stage.name + "_statistics.csv")};
+  for (const std::filesystem::path& path : paths) check_target(path, overwrite);
+  write_whole(paths[0], make_channels(stage));
+  write_whole(paths[1], make_statistics(stage));
+  return paths;
+}
+
 }  // namespace gudgeon

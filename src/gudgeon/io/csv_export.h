@@ -23,4 +23,8 @@ namespace gudgeon {
 std::vector<std::filesystem::path> export_csv(const RunRecord& run, const std::filesystem::path& directory,
                                               bool overwrite);
 
+/// Writes STAGE_channels.csv and STAGE_statistics.csv of one stage in the same way.
+std::vector<std::filesystem::path> export_motion(const StageRecord& stage, const std::filesystem::path& directory,
+                                                 bool overwrite);
+
 }  // namespace gudgeon

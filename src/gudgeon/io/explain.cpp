@@ -242,6 +242,7 @@ std::string explain(const Mechanism& mechanism, const Study& study) {
   for (const Joint& joint : mechanism.joints) {
     out.header("joints", joint.name);
     std::visit([&](const auto& kind) { write_kind(kind, shared, out); }, joint.kind);
+    if (joint.branch) out.line("branch", toml_text(choice_name<Branch>(kBranches, *joint.branch)));
   }
   shared.write(out);
   for (const Driver& driver : mechanism.drivers) write_driver(driver, out);

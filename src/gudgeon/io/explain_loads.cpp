@@ -4,6 +4,10 @@
 // Functions, drivers and loads in the words that the reader reads.
 #include "gudgeon/io/explain_loads.h"
 
+#include <algorithm>
+#include <initializer_list>
+#include <vector>
+
 namespace gudgeon {
 
 namespace {
@@ -19,23 +23,33 @@ std::string curve_text(const SampledCurve& curve) {
                      numbers_text(curve.arguments), numbers_text(curve.values), curve.periodic ? "true" : "false");
 }
 
+/// In parentheses where it would be taken for a quantity, "2*m".
+std::string expression_text(const Expression& expression) {
+  const bool like_quantity = std::holds_alternative<Quantity>(parse_quantity(expression.text));
+  return toml_text(like_quantity ? "(" + expression.text + ")" : expression.text);
+}
+
 std::string function_text(const Function& function, Dimension dimension) {
   if (const auto* constant = std::get_if<double>(&function)) return toml_quantity(*constant, dimension);
-  if (const auto* expression = std::get_if<Expression>(&function)) return toml_text(expression->text);
+  if (const auto* expression = std::get_if<Expression>(&function)) return expression_text(*expression);
   return curve_text(std::get<SampledCurve>(function));
 }
 
+/// The constants of all formulas of a load or driver in one table, as they share them in a model file.
 void write_constants(std::initializer_list<const Function*> functions, TomlLines& out) {
+  std::vector<std::pair<std::string, double>> constants;
   for (const Function* function : functions) {
     const auto* expression = std::get_if<Expression>(function);
-    if (expression == nullptr || expression->constants.empty()) continue;
-    std::string text;
-    for (const auto& [name, value] : expression->constants) {
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, toml_number(value));
+    if (expression == nullptr) continue;
+    for (const auto& constant : expression->constants) {
+      if (std::ranges::find(constants, constant) == constants.end()) constants.push_back(constant);
     }
-    out.line("constants", fmt::format("{{ {} }}", text));
-    return;  // the formulas of one load share theirs
   }
+  std::string text;
+  for (const auto& [name, value] : constants) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, toml_number(value));
+  }
+  if (!text.empty()) out.line("constants", fmt::format("{{ {} }}", text));
 }
 
 void write_kind(const ConstantForce& load, TomlLines& out) {
@@ -105,7 +119,7 @@ void write_driver(const Driver& driver, TomlLines& out) {
     out.line("slide", toml_text(std::get<DrivenSlide>(driver.target).joint));
   }
   if (const auto* expression = std::get_if<Expression>(&driver.motion)) {
-    out.line("motion", toml_text(expression->text));
+    out.line("motion", expression_text(*expression));
     const Function motion = *expression;
     write_constants({&motion}, out);
   } else if (const auto* curve = std::get_if<SampledCurve>(&driver.motion)) {

@@ -4,6 +4,7 @@
 // Drivers: what moves a mechanism.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "gudgeon/io/read_function.h"
@@ -41,11 +42,11 @@ void read_motion(const DocumentNode& node, Dimension dimension, TableReader& tab
   } else if (auto* curve = std::get_if<SampledCurve>(&motion)) {
     driver.motion = std::move(*curve);
   } else {
-    driver.start = std::get<double>(motion);
+    const double place = std::get<double>(motion);
+    driver.start = std::isfinite(place) ? place : 0.0;  // what could not be read has been reported
   }
   for (const char* key : {"start", "speed"}) {
-    if (!table.has(key)) continue;
-    table.find(key);
+    if (table.find(key) == nullptr || table.is_newer("motion", key)) continue;
     table.report("E-FILE-013", key, fmt::format("motion and {} exclude each other", key),
                  {"motion says where the driver is at every time, its start too"});
   }
@@ -70,9 +71,11 @@ std::optional<Driver> read_driver(const DocumentEntry& entry, const Mechanism& m
     start = dimension::kLength;
     speed = dimension::kSpeed;
   }
-  if (const DocumentNode* motion = table.find("motion")) {
+  const DocumentNode* motion = table.find("motion");
+  if (motion != nullptr && !table.is_newer("speed", "motion")) {
     read_motion(*motion, start, table, driver);
   } else {
+    if (motion != nullptr) table.find("constants");  // those of the motion that speed replaces
     driver.start = table.find_quantity("start", start).value_or(default_start);
     driver.speed = table.read_quantity("speed", speed);
   }

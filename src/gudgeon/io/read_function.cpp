@@ -9,13 +9,22 @@
 #include <limits>
 #include <optional>
 
+#include "gudgeon/model/channel_names.h"
+
 namespace gudgeon {
 
 namespace {
 
 constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
 
-std::string last_part(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+/// "force.0" of the path "loads.push.force.0" is "x of force".
+std::string name_value(const std::string& path) {
+  const auto dot = path.rfind('.');
+  const std::string last = path.substr(dot + 1);
+  if (last != "0" && last != "1") return last;
+  const std::string rest = path.substr(0, dot);
+  return fmt::format("{} of {}", last == "0" ? "x" : "y", rest.substr(rest.rfind('.') + 1));
+}
 
 /// A text that reads as a quantity is one; where an operator could also join names, its dimension must be right too:
 /// "2*t" is twice the time, not two tonnes.
@@ -35,36 +44,35 @@ double read_unit(TableReader& table, std::string_view key, std::optional<Dimensi
                                       : parse_quantity("1 " + *text);
   if (const auto* error = std::get_if<QuantityError>(&parsed)) {
     table.report("E-FILE-004", key, fmt::format("{} is no unit: {}", key, error->message));
-    return kUnread;
+    return 1.0;
   }
   const Quantity& unit = std::get<Quantity>(parsed);
   if (dimension && unit.dimension != *dimension) {
     table.report("E-FILE-005", key,
                  fmt::format("{} is \"{}\", {}; {} is needed", key, *text, dimension_name(unit.dimension),
                              dimension_name(*dimension)));
-    return kUnread;
+    return 1.0;
   }
   return unit.value;
 }
 
-std::vector<double> read_numbers(TableReader& table, std::string_view key, double unit) {
+/// Bare numbers in the unit, and quantities in their own.
+std::vector<double> read_numbers(TableReader& table, std::string_view key, double unit,
+                                 std::optional<Dimension> dimension) {
   std::vector<double> numbers;
   const DocumentNode* node = table.find_required(key);
   if (node == nullptr) return numbers;
   const auto* array = std::get_if<DocumentNode::Array>(&node->value);
   if (array == nullptr) {
-    table.report("E-FILE-003", key, fmt::format("{} must be an array of numbers", key));
+    table.report("E-FILE-003", key, fmt::format("{} must be an array of numbers or quantities", key));
     return numbers;
   }
   for (std::size_t k = 0; k < array->size(); ++k) {
-    const auto* number = std::get_if<double>(&(*array)[k].value);
-    if (number == nullptr) {
-      table.log().diagnostics.error(
-          "E-FILE-003", fmt::format("{}.{}", table.path_of(key), k),
-          fmt::format("{}: entry {} of {} is {}; a number is needed, in units of {}", table.subject(), k + 1, key,
-                      kind_name((*array)[k]), key == "arguments" ? "argument_unit" : "value_unit"));
-    }
-    numbers.push_back(number == nullptr ? kUnread : unit * *number);
+    const DocumentNode& entry = (*array)[k];
+    const bool bare = std::holds_alternative<double>(entry.value);
+    const auto number = read_quantity(entry, dimension, fmt::format("{}.{}", table.path_of(key), k),
+                                      fmt::format("{}: entry {} of {}", table.subject(), k + 1, key), table.log());
+    numbers.push_back(number.value_or(kUnread) * (bare ? unit : 1.0));
   }
   return numbers;
 }
@@ -72,11 +80,9 @@ std::vector<double> read_numbers(TableReader& table, std::string_view key, doubl
 SampledCurve read_curve(TableReader& table, Dimension dimension) {
   SampledCurve curve;
   curve.over = table.find_text("over").value_or("t");
-  // What a channel is measured in follows from its name; only the time's unit can be told here.
-  const double argument_unit =
-      read_unit(table, "argument_unit", curve.over == "t" ? std::optional{dimension::kTime} : std::nullopt);
-  curve.arguments = read_numbers(table, "arguments", argument_unit);
-  curve.values = read_numbers(table, "values", read_unit(table, "value_unit", dimension));
+  const std::optional<Dimension> argument = find_channel_dimension(curve.over);
+  curve.arguments = read_numbers(table, "arguments", read_unit(table, "argument_unit", argument), argument);
+  curve.values = read_numbers(table, "values", read_unit(table, "value_unit", dimension), dimension);
   curve.periodic = table.find_switch("periodic").value_or(false);
   table.check_unknown_keys();
   return curve;
@@ -98,7 +104,7 @@ std::vector<std::pair<std::string, double>> read_constants(TableReader& owner) {
 
 Function read_function(const DocumentNode& node, const std::string& path, Dimension dimension,
                        const std::vector<std::pair<std::string, double>>& constants, TableReader& owner) {
-  const std::string label = fmt::format("{}: {}", owner.subject(), last_part(path));
+  const std::string label = fmt::format("{}: {}", owner.subject(), name_value(path));
   if (node.table() != nullptr) {
     TableReader table{node, path, label, owner.log()};
     return read_curve(table, dimension);

@@ -104,6 +104,13 @@ AnyJoint read_pin_in_slot(TableReader& table) {
   return joint;
 }
 
+std::optional<Branch> read_branch(TableReader& table) {
+  if (!table.has("branch")) return std::nullopt;
+  Branch branch = Branch::left;
+  table.update_choice<Branch>("branch", kBranches, branch);
+  return branch;
+}
+
 std::optional<AnyJoint> read_kind(TableReader& table, std::span<const ContactProperties> contacts) {
   const std::string type = table.read_text("type");
   if (type == "revolute") return read_revolute(table);
@@ -153,8 +160,9 @@ std::vector<Joint> read_joints(TableReader& root, std::span<const ContactPropert
     TableReader table{entry.node, "joints." + entry.key, fmt::format("joint '{}'", entry.key), root.log()};
     const std::optional<AnyJoint> kind = read_kind(table, contacts);
     if (!kind) continue;  // which keys are right depends on the type
+    const std::optional<Branch> branch = read_branch(table);
     table.check_unknown_keys();
-    joints.push_back({entry.key, *kind});
+    joints.push_back({entry.key, *kind, branch});
   }
   return joints;
 }

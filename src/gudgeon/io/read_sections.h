@@ -36,6 +36,10 @@ inline constexpr std::array<std::pair<std::string_view, Stabilization>, 2> kStab
     {"projection", Stabilization::projection},
     {"baumgarte", Stabilization::baumgarte},
 }};
+inline constexpr std::array<std::pair<std::string_view, Branch>, 2> kBranches{{
+    {"left", Branch::left},
+    {"right", Branch::right},
+}};
 
 /// [bodies.NAME]; the frame comes first, also when the file does not name it.
 std::vector<Body> read_bodies(TableReader& root);

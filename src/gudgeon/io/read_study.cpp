@@ -101,7 +101,11 @@ Study read_study(TableReader& root) {
   table->update_choice<Stabilization>("stabilization", kStabilizations, study.stabilization);
   study.compare_ideal = table->find_switch("compare_ideal").value_or(study.compare_ideal);
   study.published = read_published(*table);
-  if (table->has("cycle_driver") && table->has("cycle_time")) {
+  if (table->is_newer("cycle_time", "cycle_driver")) {
+    study.cycle_driver.clear();
+  } else if (table->is_newer("cycle_driver", "cycle_time")) {
+    study.cycle_time = 0.0;
+  } else if (table->has("cycle_driver") && table->has("cycle_time")) {
     table->report("E-FILE-013", "cycle_time", "cycle_driver and cycle_time exclude each other");
   }
   table->check_unknown_keys();

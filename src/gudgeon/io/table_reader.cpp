@@ -158,6 +158,17 @@ std::optional<TableReader> TableReader::find_table(std::string_view key, std::st
   return TableReader{*node, path_of(key), std::move(subject), *log_};
 }
 
+bool TableReader::is_newer(std::string_view key, std::string_view than) const {
+  // Overrides are made in order, the command line's last.
+  const auto rank = [](const DocumentNode& node) {
+    if (node.origin.empty()) return 0;
+    return node.origin.starts_with("--set") ? 2 : 1;
+  };
+  const DocumentNode* first = find_node(entries(), key);
+  const DocumentNode* second = find_node(entries(), than);
+  return first != nullptr && second != nullptr && rank(*first) > rank(*second);
+}
+
 void TableReader::report_unknown_choice(std::string_view key, std::string_view name,
                                         std::span<const std::string> possible) {
   report_choice("E-FILE-006", path_of(key),

@@ -76,6 +76,9 @@ class TableReader {
     report_unknown_choice(key, *name, names);
   }
 
+  /// True when both keys are there and the first was set later: by a case over the file, by --set over a case.
+  [[nodiscard]] bool is_newer(std::string_view key, std::string_view than) const;
+
   /// Reports that a text is none of the possible ones.
   void report_unknown_choice(std::string_view key, std::string_view name, std::span<const std::string> possible);
   /// Reports an error under a key of this table, the subject before the message.

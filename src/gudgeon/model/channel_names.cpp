@@ -4,6 +4,10 @@
 // The names of positions and speeds; those of bodies are the recorded channels'.
 #include "gudgeon/model/channel_names.h"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace gudgeon {
 
 namespace {
@@ -52,24 +56,20 @@ std::vector<StateChannel> list_state_channels(const Mechanism& mechanism) {
   return channels;
 }
 
-Dimension find_dimension(StateChannel::Quantity quantity) {
-  switch (quantity) {
-    case time:
-      return dimension::kTime;
-    case x:
-    case y:
-    case displacement:
-      return dimension::kLength;
-    case x_velocity:
-    case y_velocity:
-    case speed:
-      return dimension::kSpeed;
-    case angle:
-      return dimension::kAngle;
-    case angle_rate:
-      return dimension::kAngularSpeed;
-  }
-  return dimension::kNone;
+std::optional<Dimension> find_channel_dimension(std::string_view name) {
+  static constexpr std::array<std::pair<std::string_view, Dimension>, 8> kBySuffix{{
+      {".x", dimension::kLength},
+      {".y", dimension::kLength},
+      {".displacement", dimension::kLength},
+      {".x_velocity", dimension::kSpeed},
+      {".y_velocity", dimension::kSpeed},
+      {".speed", dimension::kSpeed},
+      {".angle", dimension::kAngle},
+      {".angle_rate", dimension::kAngularSpeed},
+  }};
+  if (name == "t") return dimension::kTime;
+  const auto* found = std::ranges::find_if(kBySuffix, [&](const auto& item) { return name.ends_with(item.first); });
+  return found == kBySuffix.end() ? std::nullopt : std::optional{found->second};
 }
 
 }  // namespace gudgeon

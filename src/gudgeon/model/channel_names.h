@@ -4,7 +4,9 @@
 // What an expression or a table of a load may depend on.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gudgeon/base/quantity.h"
@@ -36,7 +38,7 @@ struct StateChannel {
 /// not among them, because they depend on the loads.
 std::vector<StateChannel> list_state_channels(const Mechanism& mechanism);
 
-/// Of the channel's values.
-Dimension find_dimension(StateChannel::Quantity quantity);
+/// What the values of a channel of that name are; nothing when no channel has such a name.
+std::optional<Dimension> find_channel_dimension(std::string_view name);
 
 }  // namespace gudgeon

@@ -62,7 +62,7 @@ bool check_order(CheckRules& rules, const FunctionUse& use, const std::vector<do
 bool check_size(CheckRules& rules, const FunctionUse& use, const SampledCurve& curve) {
   const std::size_t least = curve.periodic ? 3 : 2;
   if (curve.arguments.size() != curve.values.size()) {
-    rules.diagnostics.error("E-MODEL-084", use.path() + ".values",
+    rules.diagnostics.error("E-MODEL-084", use.path() + (curve.arguments.empty() ? ".arguments" : ".values"),
                             fmt::format("{} has {} arguments and {} values; there must be one value an argument",
                                         use.subject, curve.arguments.size(), curve.values.size()));
     return false;

@@ -131,7 +131,7 @@ class DriverCheck {
       if (k == 0) start_ = value;
       if (std::isfinite(value)) continue;
       rules_.diagnostics.error(
-          "E-MODEL-088", rules_.find_path({path_ + ".motion.expression", path_ + ".motion"}),
+          "E-MODEL-088", path_ + ".motion",
           fmt::format("{}: motion \"{}\" has no value at t = {:.6g} s", subject_, expression.text, time));
       return;
     }

@@ -71,10 +71,7 @@ bool is_result(const std::string& name) {
 class ExpressionCheck {
  public:
   ExpressionCheck(CheckRules& rules, const FunctionUse& use, const Expression& expression)
-      : rules_(rules),
-        use_(use),
-        expression_(expression),
-        path_(rules.find_path({use.path() + ".expression", use.path()})) {
+      : rules_(rules), use_(use), expression_(expression), path_(use.path()) {
     for (const StateChannel& channel : list_state_channels(rules.mechanism)) channels_.push_back(channel.name);
     for (const auto& [name, value] : expression.constants) constants_.push_back(name);
   }
@@ -92,8 +89,7 @@ class ExpressionCheck {
   void check_constants() {
     for (std::size_t k = 0; k < constants_.size(); ++k) {
       const std::string& name = constants_[k];
-      const std::string path = rules_.find_path(
-          {fmt::format("{}.constants.{}", use_.path(), name), fmt::format("{}.constants.{}", use_.owner, name), path_});
+      const std::string path = fmt::format("{}.constants.{}", use_.owner, name);
       const auto fail = [&](const std::string& what) {
         rules_.diagnostics.error("E-MODEL-080", path, fmt::format("{}: constant '{}' {}", use_.subject, name, what));
       };
@@ -156,7 +152,8 @@ class ExpressionCheck {
     const std::string& text = expression_.text;
     const auto quantity = parse_quantity(text);
     const bool like_one = !text.empty() && (is_digit(text.front()) || text.front() == '.' || text.front() == '-');
-    if (!like_one || !std::holds_alternative<QuantityError>(quantity)) return {};
+    const bool is_formula = text.find_first_of("(?") != std::string::npos;
+    if (!like_one || is_formula || !std::holds_alternative<QuantityError>(quantity)) return {};
     return {"if a quantity was meant: " + std::get<QuantityError>(quantity).message};
   }
 

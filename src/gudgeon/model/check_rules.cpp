@@ -46,14 +46,6 @@ std::string CheckRules::describe(const Value& value) const {
   return quoted ? fmt::format("{} ({})", written->second, si) : si;
 }
 
-std::string CheckRules::find_path(const std::vector<std::string>& paths) const {
-  const auto known = [this](const std::string& path) {
-    return source_ != nullptr && (source_->written.contains(path) || source_->spans.contains(path));
-  };
-  const auto found = std::ranges::find_if(paths, known);
-  return found == paths.end() ? paths.back() : *found;
-}
-
 void CheckRules::check_range(std::string_view code, const Value& value, const ParameterRange& range) {
   if (std::isfinite(value.value) && range.contains(value.value)) return;
   std::string key = value.path.substr(value.path.rfind('.') + 1);

@@ -37,8 +37,6 @@ class CheckRules {
   /// Says that a name is none of the known ones.
   void report_unknown(std::string_view code, const std::string& path, const std::string& message, std::string_view name,
                       std::string_view kind, const std::vector<std::string>& known);
-  /// The first of the paths that the source knows; the last when it knows none.
-  [[nodiscard]] std::string find_path(const std::vector<std::string>& paths) const;
   /// "\"-0.5 mm\" (-0.0005 m)", or only the SI value when it is not known how it was written.
   [[nodiscard]] std::string describe(const Value& value) const;
 

@@ -123,9 +123,13 @@ struct PinInSlotClearance {
 using AnyJoint =
     std::variant<Revolute, Prismatic, PinInSlot, Rigid, RevoluteClearance, PrismaticClearance, PinInSlotClearance>;
 
+/// One of the two ways to assemble the loop that a joint closes: to which side it folds, see docs/theory/kinematics.md.
+enum class Branch { left, right };
+
 struct Joint {
   std::string name;
   AnyJoint kind;
+  std::optional<Branch> branch = std::nullopt;  ///< demanded of the start; else the start angles choose
 };
 
 /// A joint whose surfaces touch only now and then.

@@ -26,7 +26,7 @@ class ChannelTable {
     for (std::size_t b = 1; b < system_.mechanism.bodies.size(); ++b) add_body(b);
     for (std::size_t g = 0; g < system_.tables.contact_groups.size(); ++g) add_clearance(g);
     for (std::size_t j = 0; j < system_.mechanism.joints.size(); ++j) add_joint(j);
-    for (std::size_t d = 0; d < system_.tables.driven.size(); ++d) add_driver(d);
+    for (std::size_t d = 0; d < system_.mechanism.drivers.size(); ++d) add_driver(d);
     for (std::size_t k = 0; k < system_.mechanism.loads.size(); ++k) add_load(k);
     add_energies();
     return std::move(table_);
@@ -170,8 +170,12 @@ class ChannelTable {
     }
   }
 
-  void add_driver(std::size_t d) {
-    const Driver& driver = system_.mechanism.drivers[system_.tables.driven[d].driver];
+  // In the model's order; the tables have turns first, then slides, then angles between bodies.
+  void add_driver(std::size_t at_driver) {
+    const Driver& driver = system_.mechanism.drivers[at_driver];
+    const auto& driven = system_.tables.driven;
+    const auto found = std::ranges::find(driven, static_cast<int>(at_driver), &DrivenMotion::driver);
+    const auto d = static_cast<std::size_t>(found - driven.begin());
     const bool turns = std::holds_alternative<DrivenAngle>(driver.target);
     add(
         driver.name + ".effort", turns ? "T" : "F", turns ? "N m" : "N",

@@ -41,6 +41,7 @@ class StageRecorder {
   void read_clearances(const Workspace& workspace);
 
   const System* system_;
+  std::vector<std::size_t> efforts_;  // one a driver in the model's order: index into Workspace::effort
   BodyMotionFinder motion_;
   ReactionFinder reaction_;
   std::vector<RecordedChannel> table_;

@@ -9,8 +9,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "gudgeon/system/branches.h"
 #include "gudgeon/system/closure_rank.h"
 #include "gudgeon/system/dynamics.h"
+#include "gudgeon/system/loop_folds.h"
 #include "gudgeon/system/loose_start.h"
 #include "gudgeon/system/poses.h"
 #include "gudgeon/system/start_rates.h"
@@ -34,6 +36,7 @@ class Assembler {
         time_(time),
         topology_(find_topology(mechanism_)),
         tables_(compile_tables(mechanism_, topology_)),
+        folds_(mechanism_, topology_, tables_),
         workspace_(tables_),
         q_(VectorXd::Zero(tables_.counts.n_free())),
         v_(VectorXd::Zero(tables_.counts.n_free())) {
@@ -46,12 +49,13 @@ class Assembler {
   Assembly assemble() {
     const std::vector<double> guesses = make_guess();
     if (!close_loops()) throw_open_loop();
+    settle_branches();
     update();
     v_ = find_start_rates(mechanism_, topology_, tables_, workspace_);
     Assembly assembly;
     update();
     assembly.poses = find_poses(mechanism_, topology_, workspace_.coordinates);
-    assembly.branches = find_branches(assembly.poses);
+    assembly.branches = find_branches();
     assembly.closure_residual = tables_.closures.empty() ? 0.0 : find_closure_gaps(workspace_).cwiseAbs().maxCoeff();
     for (std::size_t b = 0; b < guesses.size(); ++b) {
       assembly.angle_changes.push_back(std::remainder(assembly.poses[b].angle - guesses[b], 2.0 * std::numbers::pi));
@@ -186,55 +190,40 @@ class Assembler {
                       {"check its start, lengths and pivots, or remove a driver that contradicts it"});
   }
 
-  // The two links that meet where a loop closes run from the nearest joints inboard that lie elsewhere; on a guide the
-  // second link is measured against the guide's direction.
-  std::vector<LoopBranch> find_branches(const std::vector<BodyPose>& poses) const {
+  // One a joint that closes a loop, in the order of the closures.
+  std::vector<LoopBranch> find_branches() const {
     std::vector<LoopBranch> branches;
-    for (const Closure& closure : topology_.closures) {
-      if (closure.kind == ClosureKind::angle) continue;
-      const Joint& joint = mechanism_.joints[closure.joint];
+    for (const LoopFold& fold : folds_.list_by_closure()) {
+      const Joint& joint = find_joint_of(fold);
       const auto [first, second] = anchors(joint.kind);
-      const int a = find_body(mechanism_, first.body);
-      const Vec2 at = find_world_point(second, poses);
-      Vec2 first_link = find_link(a, at, poses);
-      const bool is_line = closure.kind == ClosureKind::line;
-      if (is_line) {
-        const Rotation along = make_rotation(poses[a].angle + find_line_direction(joint.kind));
-        first_link = {along.c, along.s};
-      }
-      const Vec2 second_link = find_link(find_body(mechanism_, second.body), at, poses);
-      const double lengths = norm(first_link) * norm(second_link);
-      const double sine = lengths > 0.0 ? cross(first_link, second_link) / lengths : 0.0;
-      branches.push_back({joint.name, first.body, second.body, is_line ? sine : -sine});
+      branches.push_back({joint.name, first.body, second.body, folds_.find_angle(fold, workspace_.coordinates).sine});
     }
     return branches;
   }
 
-  // From the nearest joint towards the frame that is not at the same place, to that place.
-  Vec2 find_link(int body, Vec2 at, const std::vector<BodyPose>& poses) const {
-    for (; topology_.bodies[body].joint >= 0; body = topology_.bodies[body].parent) {
-      const Vec2 link = at - find_inboard_point(body, poses);
-      if (norm(link) > kRankThreshold * size_) return link;
+  const Joint& find_joint_of(const LoopFold& fold) const {
+    return mechanism_.joints[tables_.closures[fold.closure].joint];
+  }
+
+  // Mirrors each loop that folds to the other side than asked for, and closes all of them again.
+  void settle_branches() {
+    require_closing_branches(mechanism_, topology_);
+    update();
+    for (const LoopFold& fold : folds_.folds()) {
+      const Coordinates& at = workspace_.coordinates;
+      if (is_on_branch(find_joint_of(fold), folds_.find_angle(fold, at)) || !folds_.mirror(fold, at, q_.data()))
+        continue;
+      update();
+      if (!close_loops()) throw_open_loop();
     }
-    return {};
-  }
-
-  Vec2 find_world_point(const Anchor& anchor, const std::vector<BodyPose>& poses) const {
-    const int body = find_body(mechanism_, anchor.body);
-    return poses[body].find_point(find_point(mechanism_.bodies[body], anchor.point)->position);
-  }
-
-  Vec2 find_inboard_point(int body, const std::vector<BodyPose>& poses) const {
-    const int joint = topology_.bodies[body].joint;
-    if (joint < 0) return poses[body].position;
-    const auto [first, second] = anchors(mechanism_.joints[joint].kind);
-    return find_world_point(find_body(mechanism_, first.body) == body ? first : second, poses);
+    require_branches(mechanism_, tables_, folds_, workspace_.coordinates);
   }
 
   Mechanism mechanism_;
   double time_;
   Topology topology_;
   Tables tables_;
+  LoopFolds folds_;
   Workspace workspace_;
   VectorXd q_;
   VectorXd v_;

@@ -28,7 +28,7 @@ struct LoopBranch {
   std::string joint;
   std::string first_body;
   std::string second_body;
-  double fold = 0.0;  ///< sine of the angle from the first body's link to the second's; its sign names the branch
+  double fold = 0.0;  ///< sine of the turn from the loop's first link to its second; its sign names the branch
 };
 
 struct Assembly {
@@ -41,7 +41,9 @@ struct Assembly {
 /// Places every body at the given time, clearance joints as if they were ideal. Bodies keep the angles and
 /// displacements guessed for them as nearly as the joints and drivers permit; a body that only clearance joints hold is
 /// then moved to the start position and velocity given for it.
-/// Throws ModelError when the joints cannot be closed, naming the joint and its gap, or when start speeds conflict.
+/// Loops fold to the side that their joint's branch asks for.
+/// Throws ModelError when the joints cannot be closed, naming the joint and its gap, when a branch cannot be had, or
+/// when start speeds conflict.
 Assembly assemble(const Mechanism& mechanism, double time = 0.0);
 
 }  // namespace gudgeon

@@ -55,7 +55,7 @@ void check_springs(const Mechanism& mechanism, const Assembly& assembly, Diagnos
     diagnostics.error(
         "E-MODEL-075", "loads." + load.name,
         fmt::format("load '{}': its two points coincide at the start, so the spring has no direction", load.name),
-        {"a bushing pulls two points together from wherever they are"});
+        {"give it two points apart, or use a bushing, which pulls two points together from wherever they are"});
   }
 }
 

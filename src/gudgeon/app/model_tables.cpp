@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tables of what a model describes.
+#include "gudgeon/app/model_tables.h"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "gudgeon/app/table_units.h"
+#include "gudgeon/base/cubic_spline.h"
+#include "gudgeon/base/expression.h"
+#include "gudgeon/report/table.h"
+
+namespace gudgeon {
+namespace {
+
+std::string point_text(const Anchor& anchor) { return anchor.body + "." + anchor.point; }
+
+std::string play_text(double clearance, const char* where) {
+  return fmt::format("{:.6g} mm {}", clearance / kMillimeter, where);
+}
+
+/// Type and play of a joint.
+struct JointText {
+  std::string type;
+  std::string play;
+};
+
+JointText describe(const Revolute& /*joint*/) { return {"revolute", ""}; }
+JointText describe(const Prismatic& /*joint*/) { return {"prismatic", ""}; }
+JointText describe(const PinInSlot& /*joint*/) { return {"pin_in_slot", ""}; }
+JointText describe(const Rigid& /*joint*/) { return {"rigid", ""}; }
+JointText describe(const RevoluteClearance& joint) {
+  return {"revolute_clearance", play_text(joint.radial_clearance, "radial")};
+}
+JointText describe(const PrismaticClearance& joint) {
+  return {"prismatic_clearance", play_text(joint.clearance, "a side")};
+}
+JointText describe(const PinInSlotClearance& joint) {
+  return {"pin_in_slot_clearance", play_text(joint.clearance, "a side")};
+}
+
+std::string function_text(const Function& function, std::string_view unit) {
+  if (const auto* constant = std::get_if<double>(&function)) return fmt::format("{:.6g} {}", *constant, unit);
+  if (const auto* expression = std::get_if<Expression>(&function)) return expression->text;
+  const auto& curve = std::get<SampledCurve>(function);
+  return fmt::format("{} points over {}{}", curve.arguments.size(), curve.over, curve.periodic ? ", periodic" : "");
+}
+
+/// Type of a load, what it acts on, and how strong it is.
+struct LoadText {
+  std::string type;
+  std::string on;
+  std::string strength;
+};
+
+LoadText describe(const ConstantForce& load) {
+  return {"force", point_text(load.point), fmt::format("[{:.6g}, {:.6g}] N", load.force.x, load.force.y)};
+}
+LoadText describe(const ConstantTorque& load) { return {"torque", load.body, fmt::format("{:.6g} N m", load.torque)}; }
+LoadText describe(const VariableForce& load) {
+  const std::string axes = load.axes == kFrameName ? "" : fmt::format(" in the axes of {}", load.axes);
+  return {"force", point_text(load.point),
+          fmt::format("[{}, {}]{}", function_text(load.x, "N"), function_text(load.y, "N"), axes)};
+}
+LoadText describe(const VariableTorque& load) {
+  const std::string against = load.against == kFrameName ? "" : " against " + load.against;
+  return {"torque", load.body + against, function_text(load.torque, "N m")};
+}
+LoadText describe(const Spring& load) {
+  return {"spring", fmt::format("{} to {}", point_text(load.first), point_text(load.second)),
+          fmt::format("{:.6g} N/m, {:.6g} N s/m, free at {:.6g} mm", load.stiffness, load.damping,
+                      load.free_length / kMillimeter)};
+}
+LoadText describe(const TorsionSpring& load) {
+  return {"torsion_spring", fmt::format("{} to {}", load.first, load.second),
+          fmt::format("{:.6g} N m/rad, {:.6g} N m s/rad, free at {:.6g} deg", load.stiffness, load.damping,
+                      load.free_angle / kDegree)};
+}
+LoadText describe(const Bushing& load) {
+  return {
+      "bushing", fmt::format("{} to {}", point_text(load.first), point_text(load.second)),
+      fmt::format("[{:.6g}, {:.6g}] N/m, {:.6g} N m/rad", load.stiffness.x, load.stiffness.y, load.angular_stiffness)};
+}
+
+/// Where a driver is at t = 0 [rad or m].
+double find_start(const Driver& driver) {
+  const double start_time = 0.0;
+  if (const auto* expression = std::get_if<Expression>(&driver.motion)) {
+    return ExpressionEvaluator(expression->text, expression->constants, {"t"}).eval(&start_time);
+  }
+  if (const auto* curve = std::get_if<SampledCurve>(&driver.motion)) {
+    return CubicSpline(curve->arguments, curve->values, curve->periodic).eval(start_time).value;
+  }
+  return driver.start;
+}
+
+std::string describe_motion(const Driver& driver, double scale, std::string_view unit) {
+  if (const auto* expression = std::get_if<Expression>(&driver.motion)) return expression->text;
+  if (const auto* curve = std::get_if<SampledCurve>(&driver.motion)) return function_text(*curve, unit);
+  return fmt::format("{:.6g} {}/s", driver.speed / scale, unit);
+}
+
+}  // namespace
+
+std::string render_joints(const Mechanism& mechanism, bool color) {
+  Table table({{"joint"}, {"type"}, {"from"}, {"to"}, {"play"}});
+  for (const Joint& joint : mechanism.joints) {
+    const JointText text = std::visit([](const auto& kind) { return describe(kind); }, joint.kind);
+    const auto [first, second] = anchors(joint.kind);
+    table.add_row({joint.name, text.type, point_text(first), point_text(second), text.play});
+  }
+  return table.empty() ? std::string{} : render_title("Joints", color) + table.render(color);
+}
+
+std::string render_loads(const Mechanism& mechanism, bool color) {
+  std::string text = render_title("Loads", color);
+  text += mechanism.gravity == Vec2{}
+              ? "  gravity: none\n"
+              : fmt::format("  gravity: [{:.6g}, {:.6g}] m/s^2\n", mechanism.gravity.x, mechanism.gravity.y);
+  Table table({{"load"}, {"type"}, {"on"}, {"strength"}});
+  for (const Load& load : mechanism.loads) {
+    const LoadText row = std::visit([](const auto& kind) { return describe(kind); }, load.kind);
+    table.add_row({load.name, row.type, row.on, row.strength});
+  }
+  return table.empty() ? text : text + table.render(color);
+}
+
+std::string render_drivers(const Mechanism& mechanism, bool color) {
+  Table table({{"driver"}, {"drives"}, {"at t = 0", Alignment::right}, {"speed or motion", Alignment::right}});
+  for (const Driver& driver : mechanism.drivers) {
+    const auto* angle = std::get_if<DrivenAngle>(&driver.target);
+    const double scale = angle != nullptr ? kDegree : kMillimeter;
+    const std::string unit = angle != nullptr ? "deg" : "mm";
+    std::string target = "slide of ";
+    if (angle != nullptr) {
+      target = "angle of " + angle->body + (angle->against == kFrameName ? "" : " against " + angle->against);
+    } else {
+      target += std::get<DrivenSlide>(driver.target).joint;
+    }
+    table.add_row({driver.name, target, fmt::format("{:.6g} {}", find_start(driver) / scale, unit),
+                   describe_motion(driver, scale, unit)});
+  }
+  return table.empty() ? std::string{} : render_title("Drivers", color) + table.render(color);
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Samples the motion at even times, and looks between samples for what lies there.
+#include "gudgeon/sim/kinematic_cycle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "gudgeon/sim/kinematic_channels.h"
+
+namespace gudgeon {
+
+namespace {
+
+// A rate below this share of its peak is zero but for rounding.
+constexpr double kNoRate = 1e-11;
+// What happens between samples is looked for at this many points a cycle at least: two dead centres that lie closer
+// together than a degree of the driver are one halt.
+constexpr int kLeastLooks = 720;
+
+class CycleRun {
+ public:
+  CycleRun(const Mechanism& mechanism, const KinematicPlan& plan)
+      : plan_(plan),
+        looks_((kLeastLooks + plan.samples - 1) / plan.samples),
+        solver_(mechanism),
+        driver_(find_driver()),
+        watch_(solver_, driver_),
+        channels_(solver_, watch_),
+        coordinates_(watch_.list_coordinates()) {
+    rates_.resize(coordinates_.size());
+    folds_.resize(solver_.folds().folds().size());
+    transmissions_.resize(folds_.size());
+  }
+
+  KinematicRecord run() {
+    sample_motion();
+    channels_.finish(record_.motion);
+    for (std::size_t k = 0; k < coordinates_.size(); ++k) find_dead_centres(k);
+    std::ranges::stable_sort(record_.dead_centres, {}, [](const DeadCentre& centre) { return centre.at.time; });
+    for (std::size_t f = 0; f < folds_.size(); ++f) {
+      if (solver_.folds().folds()[f].is_dyad) find_transmission(f);
+      find_branch_changes(f);
+    }
+    return std::move(record_);
+  }
+
+ private:
+  [[nodiscard]] const Mechanism& mechanism() const { return solver_.system().mechanism; }
+
+  int find_driver() {
+    const auto& drivers = mechanism().drivers;
+    if (drivers.empty()) return -1;
+    const auto found = std::ranges::find(drivers, plan_.driver, &Driver::name);
+    const auto& driver = found == drivers.end() ? drivers.front() : *found;
+    record_.driver = driver.name;
+    record_.driver_unit = std::holds_alternative<DrivenAngle>(driver.target) ? "rad" : "m";
+    return static_cast<int>(&driver - drivers.data());
+  }
+
+  void sample_motion() {
+    StageRecord& stage = record_.motion;
+    stage.name = "kinematics";
+    stage.cycle_time = plan_.cycle_time;
+    if (solver_.failure()) return fail();
+    const int n = plan_.cycles * plan_.samples * looks_;
+    for (int i = 0; i <= n; ++i) {
+      if (!solver_.move_to(find_look_time(i))) return fail();
+      look();
+      if (i % looks_ != 0) continue;
+      channels_.sample();
+      stage.end_time = solver_.point().time;
+    }
+    stage.cycles = plan_.cycles;
+    // A dead centre at the very end shows only beyond it; where that cannot be reached there is none.
+    const MotionPoint end = solver_.point();
+    if (solver_.move_to(find_look_time(n + 1))) look();
+    solver_.return_to(end);
+  }
+
+  [[nodiscard]] double find_look_time(int i) const { return plan_.cycle_time * i / (plan_.samples * looks_); }
+
+  void look() {
+    watch_.update();
+    points_.push_back(solver_.point());
+    for (std::size_t k = 0; k < coordinates_.size(); ++k) rates_[k].push_back(watch_.find_rate(coordinates_[k]));
+    for (std::size_t f = 0; f < folds_.size(); ++f) {
+      const LoopFold& fold = solver_.folds().folds()[f];
+      folds_[f].push_back(watch_.find_fold(fold));
+      if (fold.is_dyad) transmissions_[f].push_back(watch_.find_transmission(fold));
+    }
+  }
+
+  void fail() {
+    const MotionFailure& failure = *solver_.failure();
+    record_.motion.status = StageStatus::failed;
+    record_.failure_time = failure.time;
+    watch_.update();
+    std::string where = failure.where.empty() ? std::string() : ", " + failure.where;
+    if (driver_ >= 0) {
+      const double value = watch_.find_driver_value(driver_);
+      where += record_.driver_unit == "rad"
+                   ? fmt::format(", driver '{}' at {:.6g} deg", record_.driver, 180.0 / std::numbers::pi * value)
+                   : fmt::format(", driver '{}' at {:.6g} mm", record_.driver, 1e3 * value);
+    }
+    record_.motion.message = fmt::format("E-NUM-010: the motion cannot be followed beyond t = {:.9g} s{}: {}",
+                                         failure.time, where, explain_failure(failure.kind));
+  }
+
+  static const char* explain_failure(MotionFailure::Kind kind) {
+    switch (kind) {
+      case MotionFailure::Kind::out_of_reach:
+        return "the drivers ask for more than the joints permit, a loop is stretched or folded to its limit";
+      case MotionFailure::Kind::lost_load:
+        return "it has no finite value there (a formula outside its range, a spring whose points meet)";
+      case MotionFailure::Kind::singular:
+        break;
+    }
+    return "a singular position, where two branches meet and the drivers do not say which way it goes on";
+  }
+
+  void find_dead_centres(std::size_t k) {
+    const MotionWatch::Coordinate coordinate = coordinates_[k];
+    for (const SignChange& change : list_sign_changes(rates_[k], rates_[k].size())) {
+      const auto rate = [&] { return watch_.find_rate(coordinate); };
+      if (!watch_.move_to_zero(rate, points_[change.before], points_[change.after].time)) continue;
+      // Just beyond the end is the beginning of the next cycle.
+      const double interval = plan_.cycle_time / (plan_.samples * looks_);
+      if (watch_.find_time().time > record_.motion.end_time + 1e-6 * interval) continue;
+      const bool is_body = coordinate.body >= 0;
+      record_.dead_centres.push_back(
+          {is_body ? mechanism().bodies[coordinate.body].name : mechanism().joints[coordinate.joint].name,
+           is_body ? "rad" : "m", watch_.find_time(), watch_.find_value(coordinate), change.falls});
+    }
+  }
+
+  /// Two points between which a quantity changes its sign.
+  struct SignChange {
+    std::size_t before;
+    std::size_t after;
+    bool falls;
+  };
+
+  static std::vector<SignChange> list_sign_changes(const std::vector<double>& values, std::size_t n) {
+    double peak = 0.0;
+    for (const double value : values) peak = std::max(peak, std::abs(value));
+    std::vector<SignChange> changes;
+    std::size_t last = n;  // point of the last sign
+    for (std::size_t i = 0; i < n; ++i) {
+      if (std::abs(values[i]) <= kNoRate * peak) continue;
+      if (last < n && (values[i] > 0.0) != (values[last] > 0.0)) changes.push_back({last, i, values[last] > 0.0});
+      last = i;
+    }
+    return changes;
+  }
+
+  // The extremes of the points looked at, and of the motion around them.
+  void find_transmission(std::size_t f) {
+    const LoopFold& fold = solver_.folds().folds()[f];
+    if (points_.empty()) return;
+    const auto values = std::span(transmissions_[f]).first(count_points());
+    TransmissionRange range{find_joint_name(fold), solver_.folds().has_guide(fold), 0.0, {}, 0.0, {}};
+    const auto [least, greatest] = std::ranges::minmax_element(values);
+    move_to_extreme(fold, 1.0, static_cast<std::size_t>(least - values.begin()), values.size());
+    range.least = watch_.find_transmission(fold), range.least_at = watch_.find_time();
+    move_to_extreme(fold, -1.0, static_cast<std::size_t>(greatest - values.begin()), values.size());
+    range.greatest = watch_.find_transmission(fold), range.greatest_at = watch_.find_time();
+    record_.transmissions.push_back(std::move(range));
+  }
+
+  void move_to_extreme(const LoopFold& fold, double sign, std::size_t at, std::size_t n) {
+    solver_.return_to(points_[at]);
+    watch_.update();
+    const double value = sign * watch_.find_transmission(fold);
+    const std::size_t low = at > 0 ? at - 1 : 0;
+    const std::size_t high = std::min(at + 1, n - 1);
+    const bool found = low < high && watch_.move_to_least_transmission(fold, sign, points_[low], points_[high].time);
+    // The point stays where nothing near it goes further: at an end, at a kink, on a plateau.
+    if (found && sign * watch_.find_transmission(fold) < value) return;
+    solver_.return_to(points_[at]);
+    watch_.update();
+  }
+
+  void find_branch_changes(std::size_t f) {
+    const LoopFold& fold = solver_.folds().folds()[f];
+    const auto side = [&] { return watch_.find_fold(fold); };
+    if (points_.empty()) return;
+    for (const SignChange& change : list_sign_changes(folds_[f], count_points())) {
+      if (!watch_.move_to_zero(side, points_[change.before], points_[change.after].time)) continue;
+      record_.branch_changes.push_back({find_joint_name(fold), watch_.find_time(), !change.falls});
+    }
+  }
+
+  // Without the one beyond the end, which is no part of the motion asked for.
+  [[nodiscard]] std::size_t count_points() const {
+    const bool finished = record_.motion.status == StageStatus::finished;
+    const bool beyond = finished && points_.back().time > record_.motion.end_time;
+    return points_.size() - (beyond ? 1 : 0);
+  }
+
+  [[nodiscard]] const std::string& find_joint_name(const LoopFold& fold) const {
+    return mechanism().joints[solver_.system().tables.closures[fold.closure].joint].name;
+  }
+
+  const KinematicPlan& plan_;
+  int looks_;  // a sample
+  KinematicRecord record_;
+  KinematicSolver solver_;
+  int driver_;
+  MotionWatch watch_;
+  KinematicChannels channels_;
+  std::vector<MotionWatch::Coordinate> coordinates_;
+  std::vector<MotionPoint> points_;                 // looked at: samples, points between them, and one beyond the end
+  std::vector<std::vector<double>> rates_;          // one a coordinate and point
+  std::vector<std::vector<double>> folds_;          // sines, one a fold and point
+  std::vector<std::vector<double>> transmissions_;  // one a fold that is a dyad, and point
+};
+
+}  // namespace
+
+KinematicRecord run_kinematics(const Mechanism& mechanism, const KinematicPlan& plan) {
+  return CycleRun(mechanism, plan).run();
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Eigenvalues of the linearised motion.
+#include "gudgeon/system/equilibrium_modes.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace gudgeon {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Fourth-order differences: truncation h⁴ = 1e-16 and rounding 1e-16/h are both far below what is told apart here.
+constexpr double kModeStep = 1e-4;
+// Differences leave 1e-11 of the stiffness; an eigenvalue is its root. What is slower than this share of the fastest
+// motion, or than this [1/s], counts as neutral.
+constexpr double kNeutral = 1e-5;
+// Damping is known to some 1e-10 of the eigenvalue.
+constexpr double kUndamped = 1e-7;
+
+/// The derivative of eval(step) at zero.
+template <class Eval>
+VectorXd find_slope(const Eval& eval) {
+  const VectorXd near = eval(kModeStep) - eval(-kModeStep);
+  const VectorXd far = eval(2.0 * kModeStep) - eval(-2.0 * kModeStep);
+  return (8.0 * near - far) / (12.0 * kModeStep);
+}
+
+/// [0 1; −K −C]
+MatrixXd find_state_matrix(MotionChart& chart) {
+  const Index n = chart.size();
+  MatrixXd matrix = MatrixXd::Zero(2 * n, 2 * n);
+  matrix.topRightCorner(n, n).setIdentity();
+  const VectorXd rest = VectorXd::Zero(n);
+  for (Index k = 0; k < n; ++k) {
+    const VectorXd unit = VectorXd::Unit(n, k);
+    matrix.bottomLeftCorner(n, n).col(k) = find_slope([&](double step) -> VectorXd {
+      chart.move_to(step * unit);
+      return chart.find_acceleration(rest);
+    });
+    chart.move_to(rest);
+    matrix.bottomRightCorner(n, n).col(k) =
+        find_slope([&](double step) -> VectorXd { return chart.find_acceleration(step * unit); });
+  }
+  chart.move_to(rest);
+  chart.find_acceleration(rest);
+  return matrix;
+}
+
+EquilibriumMode make_mode(std::complex<double> eigenvalue, bool is_neutral) {
+  EquilibriumMode mode;
+  if (is_neutral) {
+    mode.kind = EquilibriumMode::Kind::neutral;
+    return mode;
+  }
+  const double size = std::abs(eigenvalue);
+  mode.growth_rate = std::abs(eigenvalue.real()) <= kUndamped * size ? 0.0 : eigenvalue.real();
+  mode.damping_ratio = mode.growth_rate == 0.0 ? 0.0 : -mode.growth_rate / size;
+  mode.frequency = std::abs(eigenvalue.imag()) / (2.0 * std::numbers::pi);
+  if (mode.growth_rate > 0.0) mode.kind = EquilibriumMode::Kind::unstable;
+  return mode;
+}
+
+}  // namespace
+
+std::vector<EquilibriumMode> find_modes(const System& system, MotionChart& chart) {
+  std::vector<EquilibriumMode> modes;
+  const Index n = chart.size();
+  if (n == 0) return modes;
+  const Eigen::EigenSolver<MatrixXd> solver(find_state_matrix(chart));
+  const double slow = kNeutral * std::max(1.0, solver.eigenvalues().cwiseAbs().maxCoeff());
+  int n_neutral = 0;
+  for (Index k = 0; k < 2 * n; ++k) {
+    const std::complex<double> eigenvalue = solver.eigenvalues()[k];
+    const bool is_neutral = std::abs(eigenvalue) <= slow;
+    // Of a conjugate pair the upper one, of two neutral ones the first, of ±λ the growing one.
+    if (is_neutral && n_neutral++ % 2 != 0) continue;
+    if (!is_neutral && eigenvalue.imag() < 0.0) continue;
+    const auto mirrored = (solver.eigenvalues().array() + eigenvalue).abs().minCoeff();
+    if (!is_neutral && eigenvalue.imag() == 0.0 && eigenvalue.real() < 0.0 && mirrored <= slow) continue;
+    EquilibriumMode mode = make_mode(eigenvalue, is_neutral);
+    const VectorXd shape = (chart.basis() * solver.eigenvectors().col(k).head(n)).cwiseAbs();
+    Index most = 0;
+    shape.maxCoeff(&most);
+    mode.most_moved = name_coordinate(system, most);
+    modes.push_back(std::move(mode));
+  }
+  std::ranges::stable_sort(modes, [](const EquilibriumMode& a, const EquilibriumMode& b) {
+    const bool first = a.kind == EquilibriumMode::Kind::unstable;
+    const bool second = b.kind == EquilibriumMode::Kind::unstable;
+    return first != second ? first : a.frequency < b.frequency;
+  });
+  return modes;
+}
+
+bool Equilibrium::is_stable() const {
+  return std::ranges::all_of(modes, [](const auto& mode) { return mode.kind == EquilibriumMode::Kind::stable; });
+}
+
+}  // namespace gudgeon
