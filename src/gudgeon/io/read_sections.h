@@ -29,6 +29,7 @@ inline constexpr std::array<std::pair<std::string_view, Deposition>, 2> kDeposit
     {"point", Deposition::point},
 }};
 inline constexpr std::array<std::pair<std::string_view, Integrator>, 2> kIntegrators{{
+    {"automatic", Integrator::automatic},
     {"explicit", Integrator::explicit_pair},
     {"stiff", Integrator::stiff},
 }};

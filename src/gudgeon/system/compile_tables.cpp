@@ -213,6 +213,7 @@ class TableCompiler {
     contact.normal_force = joint.contact.normal_force;
     contact.friction = joint.contact.friction;
     if (has_bristle(contact.friction)) contact.bristle = tables_.n_bristles++;
+    contact.steps_at_onset = steps_at_onset(contact.normal_force);
     contact.bristle_scale = find_bristle_scale(contact.friction);
     contact.bearing_wear = joint.contact.bearing_wear;
     contact.journal_wear = joint.contact.journal_wear;
