@@ -17,7 +17,7 @@ namespace {
 constexpr double kStiff = 1.5;
 // So many smooth steps on end void the stiff ones before (Hairer & Wanner 1996, IV.2).
 constexpr int kMostSmooth = 6;
-// The stiff integrator starts at order 1 and has its full order and step after some 40 steps.
+// The stiff integrator starts at order 1 and has its full order after some 40 steps.
 constexpr int kTrial = 50;
 // An implicit step solves linear equations beside its evaluations, which takes about as long again.
 constexpr double kStiffCost = 2.0;
@@ -34,7 +34,8 @@ bool StiffnessWatch::note_explicit_step(double h, double stiffness) {
     stiff_time_ = 0.0;
   }
   if (n_stiff_ < patience_) return false;
-  explicit_cost_ = n_stiff_ * (DormandPrince::kStages - 1) / stiff_time_;
+  stake_ = n_stiff_ * (DormandPrince::kStages - 1);
+  explicit_cost_ = stake_ / stiff_time_;
   n_stiff_ = 0;
   stiff_time_ = 0.0;
   return true;
@@ -44,7 +45,11 @@ bool StiffnessWatch::note_stiff_step(double h, std::int64_t n_evaluations) {
   ++n_tried_;
   trial_time_ += h;
   trial_cost_ += kStiffCost * static_cast<double>(n_evaluations);
-  return n_tried_ == kTrial && !judge();
+  if (n_tried_ % kTrial != 0) return false;
+  const bool pays = trial_cost_ <= explicit_cost_ * trial_time_;
+  if (!pays && trial_cost_ < stake_) return false;  // time to settle
+  judge();
+  return !pays;
 }
 
 void StiffnessWatch::forget() {
@@ -53,13 +58,11 @@ void StiffnessWatch::forget() {
   if (n_tried_ > 0) judge();
 }
 
-// Whether the steps on trial paid.
-bool StiffnessWatch::judge() {
-  const bool paid = trial_cost_ <= explicit_cost_ * trial_time_;
-  patience_ = paid ? kLeastStiff : std::min(2 * patience_, kMostStiff);
+void StiffnessWatch::judge() {
+  const bool pays = trial_cost_ <= explicit_cost_ * trial_time_;
+  patience_ = pays ? std::max(patience_ / 2, kLeastStiff) : std::min(2 * patience_, kMostStiff);
   n_tried_ = 0;
   trial_time_ = trial_cost_ = 0.0;
-  return paid;
 }
 
 }  // namespace gudgeon

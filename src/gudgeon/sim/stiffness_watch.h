@@ -9,8 +9,9 @@
 namespace gudgeon {
 
 /// Counts the explicit steps in a row that stability holds short, and calls for the stiff integrator once there are
-/// enough of them. What that costs is compared with what explicit steps did; where it does not pay, the explicit ones
-/// go on, and twice as many are waited for the next time.
+/// enough of them. What that costs is compared with what explicit steps did. A trial may take as much as the steps that
+/// were waited for; where it has not paid by then, the explicit ones go on, and twice as many are waited for the next
+/// time. So the two together never take more than a few times what the better one would.
 class StiffnessWatch {
  public:
   /// An explicit step of length h [s] with h |λ| = stiffness [1]: whether the stiff integrator is to go on.
@@ -25,12 +26,13 @@ class StiffnessWatch {
   static constexpr int kLeastStiff = 15;
   static constexpr int kMostStiff = kLeastStiff << 10;
 
-  bool judge();
+  void judge();
 
   int n_stiff_ = 0;             // explicit steps in a row
   int n_smooth_ = 0;            // since the last stiff one
   double stiff_time_ = 0.0;     // [s] passed in the stiff ones
   int patience_ = kLeastStiff;  // stiff steps that call for a change
+  double stake_ = 0.0;          // evaluations that these took
   double explicit_cost_ = 0.0;  // [1/s] evaluations
   int n_tried_ = 0;             // the stiff integrator's steps on trial
   double trial_time_ = 0.0;    // [s]
