@@ -26,8 +26,8 @@ inline constexpr double kBrakeStiffness = 1e6;   // [N/m]
 inline constexpr double kBrakeShoeMass = 0.01;   // [kg]
 inline constexpr double kBrakeClearance = 1e-6;  // [m]
 
-/// The shoe starts one clearance off the wheel, met within a millisecond. Its contact is critically damped, so that it is at rest within some
-/// milliseconds: rate 10 000/s.
+/// The shoe starts one clearance off the wheel, met within a millisecond. Its contact is critically damped, so that it
+/// is at rest within some milliseconds: rate 10 000/s.
 inline Mechanism make_brake(const Brake& brake) {
   // Friction acts in the middle of the overlap.
   const double overlap = brake.normal_force / kBrakeStiffness;
@@ -37,15 +37,18 @@ inline Mechanism make_brake(const Brake& brake) {
       {"wheel", 1.0, brake.mass, {}, {{"axle", {0.0, 0.0}}}, oracle::start_turning(0.0, brake.speed)});
   mechanism.bodies.push_back({"shoe", kBrakeShoeMass, 1e-3, {}, {{"bore", {0.0, 0.0}}}, {}});
   oracle::add_revolute(mechanism, "axle", {kFrameName, "axle"}, {"wheel", "axle"});
-  mechanism.joints.push_back({"guide", oracle::make_slide({kFrameName, "axle"}, {"shoe", "bore"},
-                                                          0.5 * std::numbers::pi, 0.0, 0.0)});
+  mechanism.joints.push_back(
+      {"guide", oracle::make_slide({kFrameName, "axle"}, {"shoe", "bore"}, 0.5 * std::numbers::pi, 0.0, 0.0)});
   const Material any{"any", 1e9, 0.3};
   KelvinVoigt pad;
   pad.stiffness = kBrakeStiffness;
   pad.damping = 2.0 * std::sqrt(kBrakeStiffness * kBrakeShoeMass);
-  mechanism.joints.push_back(
-      {"pad", RevoluteClearance{{"shoe", "bore"}, {"wheel", "axle"}, journal_radius + kBrakeClearance, kBrakeClearance,
-                                0.1, ContactProperties{"pad", any, any, pad, brake.friction}}});
+  mechanism.joints.push_back({"pad", RevoluteClearance{{"shoe", "bore"},
+                                                       {"wheel", "axle"},
+                                                       journal_radius + kBrakeClearance,
+                                                       kBrakeClearance,
+                                                       0.1,
+                                                       ContactProperties{"pad", any, any, pad, brake.friction}}});
   mechanism.loads.push_back({"press", ConstantForce{{"shoe", "bore"}, {0.0, -brake.normal_force}}});
   return mechanism;
 }

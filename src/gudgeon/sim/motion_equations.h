@@ -99,8 +99,7 @@ class MotionEquations {
     }
     const double potential = find_load_power(*tables_, workspace.coordinates) - workspace.loads.storing_power;
     power[kExchanged] = std::abs(power[kDriverWork]) + std::abs(potential) + std::abs(power[kLoadWork]) +
-                        power[kDamperLoss] + std::abs(power[kContactDamping]) +
-                        std::abs(power[kFrictionLoss]);
+                        power[kDamperLoss] + std::abs(power[kContactDamping]) + std::abs(power[kFrictionLoss]);
   }
 
   /// The last evaluation's contact, as wear sees it.

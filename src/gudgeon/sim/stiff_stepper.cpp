@@ -17,8 +17,9 @@ constexpr double kRootOfFive = 2.23606797749978969;
 // Lobatto's nodes and weights on [0, 1].
 constexpr std::array<double, kStages> kNodes{0.0, 0.5 - 0.5 / kRootOfFive, 0.5 + 0.5 / kRootOfFive, 1.0};
 constexpr std::array<double, kStages> kWeights{1.0 / 12, 5.0 / 12, 5.0 / 12, 1.0 / 12};
-// The explicit pair goes on with the better of its two solutions and so stays far below its tolerance; errors of backward
-// differentiation are as large as they are estimated, and add up. With this share both come equally near the truth.
+// The explicit pair goes on with the better of its two solutions and so stays far below its tolerance; errors of
+// backward differentiation are as large as they are estimated, and add up. With this share both come equally near the
+// truth.
 constexpr double kErrorShare = 0.02;
 // A step that has to be given up is tried again as this share of it.
 constexpr double kShortened = 0.2;
@@ -104,8 +105,9 @@ bool StiffStepper::find_correction(double t, const double* y, double* correction
   return std::isfinite(sum);
 }
 
-// The first step is of order 1, so that its error is ½ h² |ÿ|; a quarter of the tolerance is aimed at. CVODE's own guess
-// takes the time in which a component leaves its tolerance for its time scale: next to nothing for a straight bristle.
+// The first step is of order 1, so that its error is ½ h² |ÿ|; a quarter of the tolerance is aimed at. CVODE's own
+// guess takes the time in which a component leaves its tolerance for its time scale: next to nothing for a straight
+// bristle.
 double StiffStepper::find_first_step() {
   const std::size_t n = equations_.n_states();
   double h = kFirstLook * longest_step_;

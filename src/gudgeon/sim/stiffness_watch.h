@@ -35,8 +35,8 @@ class StiffnessWatch {
   double stake_ = 0.0;          // evaluations that these took
   double explicit_cost_ = 0.0;  // [1/s] evaluations
   int n_tried_ = 0;             // the stiff integrator's steps on trial
-  double trial_time_ = 0.0;    // [s]
-  double trial_cost_ = 0.0;    // evaluations, and what else they bring
+  double trial_time_ = 0.0;     // [s]
+  double trial_cost_ = 0.0;     // evaluations, and what else they bring
 };
 
 }  // namespace gudgeon
