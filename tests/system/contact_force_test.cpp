@@ -101,7 +101,8 @@ TEST(ContactForce, IsNothingUnlessLatchedAndPressed) {
 
 // A linear damper presses from the first touch on; a hair before it a latched contact presses as much.
 TEST(ContactForce, BeginsWithItsStep) {
-  for (const AnyNormalForce& law : {AnyNormalForce{KelvinVoigt{2e8, 3e3}}, AnyNormalForce{Anagnostopoulos{2e8, 0.14}}}) {
+  for (const AnyNormalForce& law :
+       {AnyNormalForce{KelvinVoigt{2e8, 3e3}}, AnyNormalForce{Anagnostopoulos{2e8, 0.14}}}) {
     EXPECT_TRUE(steps_at_onset(law));
     Contact contact = make_contact(0.5e-3);
     set_normal_force(contact, law);

@@ -99,7 +99,9 @@ TEST(Ledger, WithEveryLawOfFriction) {
   for_each_law<AnyFriction>([&]<class Law>() {
     const StageRecord stage = run_loose_pin(LankaraniNikravesh{0.9, 1.5}, make_sample_law<Law>());
     verify_ledger(recorder, std::string(Law::kName), stage);
-    if constexpr (!std::same_as<Law, Frictionless>) EXPECT_GT(stage.ledger.friction, 0.0) << Law::kName;
+    if constexpr (!std::same_as<Law, Frictionless>) {
+      EXPECT_GT(stage.ledger.friction, 0.0) << Law::kName;
+    }
   });
 }
 
