@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/hdf5_file.h"
@@ -202,8 +203,8 @@ TEST(RunReader, EveryTruncationIsAnErrorAndNoCrash) {
   }
 }
 
-TEST(RunReader, DamageIsAnErrorOrHarmlessAndNoCrash) {
-  const ScratchDirectory scratch;
+// Reads a run file with one byte after the other spoiled; returns how often that is refused.
+int read_damaged_files(const ScratchDirectory& scratch) {
   RunRecord small = make_run();
   small.stages.resize(2);
   write_all(scratch / "x.h5", small);
@@ -219,7 +220,22 @@ TEST(RunReader, DamageIsAnErrorOrHarmlessAndNoCrash) {
       ++n_errors;
     }
   }
-  EXPECT_GT(n_errors, 0);
+  return n_errors;
+}
+
+TEST(RunReader, DamageIsAnErrorOrHarmlessAndNoCrash) {
+  const ScratchDirectory scratch;
+  EXPECT_GT(read_damaged_files(scratch), 0);
+}
+
+TEST(RunReaderDeathTest, DamageLeavesNothingToCloseAtExit) {
+  const ScratchDirectory scratch;
+  EXPECT_EXIT(
+      {
+        read_damaged_files(scratch);
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), testing::Not(HasSubstr("HDF5")));
 }
 
 TEST(RunReader, FailureIsAtTheRoot) {

@@ -107,6 +107,8 @@ INSTANTIATE_TEST_SUITE_P(
                [](Model& m) { m.pin().contact.normal_force = LankaraniNikravesh{.restitution = 0.5}; }},
         Broken{"R-MODEL-101", "contacts.pin.normal_force.restitution", "lankarani_nikravesh delivers 0.684",
                [](Model& m) { m.pin().contact.normal_force = LankaraniNikravesh{.restitution = 0.3}; }},
+        Broken{"R-MODEL-104", "contacts.pin.friction", "(μ_s - μ_k)/μ_k = 158 s/m; σ₂ is 157",
+               [](Model& m) { m.pin().contact.friction = Lugre{0.15, 0.1, 1e-3, 2.0, 1e5, 316.0, 157.0}; }},
         Broken{"R-MODEL-101", "contacts.pin.normal_force.restitution", "anagnostopoulos delivers 0.397",
                [](Model& m) {
                  m.pin().contact.normal_force = Anagnostopoulos{1e8, 1.0, 0.3};
@@ -218,6 +220,12 @@ TEST(Check, ReportsEverythingAtOnce) {
   model.pin().width = 0.0;
   model.study.cycles = 0;
   EXPECT_EQ(check(model.mechanism, model.study).items().size(), 3U);
+}
+
+TEST(Check, IsSilentOnBristlesThatDissipate) {
+  Model model = make_good();
+  model.pin().contact.friction = Lugre{0.15, 0.1, 1e-3, 2.0, 1e5, 316.0, 158.1};
+  EXPECT_TRUE(check(model.mechanism, model.study).items().empty());
 }
 
 TEST(Check, ShowsHowAValueWasWritten) {

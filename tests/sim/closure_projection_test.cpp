@@ -178,5 +178,22 @@ TEST(ClosureProjection, LargestOfAllGaps) {
   EXPECT_DOUBLE_EQ(find_largest({{0.1, 0.0}, {-0.3, 0.4}, {0.0, 0.2}}), 0.5);
 }
 
+// What a projection leaves alone is closed all the same where it is asked for.
+TEST(ClosureProjection, ClosesWhatIsWithinTolerance) {
+  for (const Mechanism& mechanism : make_loops()) {
+    Projected at(mechanism);
+    at.perturb(0, 1e-12);
+    at.eval();
+    const double before = find_largest(at.equations.workspace.closure_gap);
+    ClosureProjection projection(at.system.tables, 1.0);
+    EXPECT_FALSE(projection.is_needed(at.equations.workspace)) << mechanism.name;
+    EXPECT_TRUE(ClosureProjection(at.system.tables, 0.1 * before).is_needed(at.equations.workspace)) << mechanism.name;
+    EXPECT_EQ(projection.project(0.0, at.y, at.slope, at.equations), 0) << mechanism.name;
+    EXPECT_GE(projection.close(0.0, at.y, at.slope, at.equations), 1) << mechanism.name;
+    // Rounding of positions of a metre.
+    EXPECT_LT(find_largest(at.equations.workspace.closure_gap), 2e-15) << mechanism.name;
+  }
+}
+
 }  // namespace
 }  // namespace gudgeon

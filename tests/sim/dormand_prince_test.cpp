@@ -128,5 +128,28 @@ TEST(DormandPrince, StagesAreCalledInOrderAtTheirNodesAndTheLastIsTheEnd) {
   EXPECT_EQ(stepper.start(), start);
 }
 
+// ẏ = −40 y beside a slow component that counts for nothing.
+TEST(DormandPrince, FeelsTheFastestRate) {
+  constexpr double kRate = 40.0;
+  DormandPrince stepper(2);
+  for (const double h : {1e-3, 0.05, 0.1}) {
+    stepper.begin(0.0, {2.0, 1.0}, {-2.0 * kRate, 1.0});
+    stepper.attempt(h, [](int, double t, const double* y, double* slope) {
+      slope[0] = -kRate * y[0];
+      slope[1] = std::cos(t);
+    });
+    const auto weigh = [](std::size_t i, double) { return i == 0 ? 1.0 : 0.0; };
+    EXPECT_NEAR(stepper.find_stiffness(2, weigh), kRate * h, 1e-9 * kRate * h);
+    EXPECT_NEAR(stepper.find_stiffness(1, [](std::size_t, double) { return 1e6; }), kRate * h, 1e-9 * kRate * h);
+  }
+}
+
+TEST(DormandPrince, FeelsNothingWhereNothingMoves) {
+  DormandPrince stepper(1);
+  stepper.begin(0.0, {1.0}, {0.0});
+  stepper.attempt(0.1, [](int, double, const double*, double* slope) { slope[0] = 0.0; });
+  EXPECT_EQ(stepper.find_stiffness(1, [](std::size_t, double) { return 1.0; }), 0.0);
+}
+
 }  // namespace
 }  // namespace gudgeon

@@ -58,6 +58,68 @@ Mechanism make_bristled() {
   return mechanism;
 }
 
+// The press of the paper with bristles: a straight bristle at every onset, and closures that a landing must keep.
+Mechanism make_bristled_press(double bristle_damping) {
+  Mechanism press = oracle::make_nine_bar();
+  Lugre law;
+  law.static_coefficient = 0.15;
+  law.kinetic_coefficient = 0.1;
+  law.bristle_damping = bristle_damping;
+  for (Joint& joint : press.joints) {
+    if (auto* clearance = std::get_if<RevoluteClearance>(&joint.kind)) clearance->contact.friction = law;
+  }
+  return press;
+}
+
+TEST(Integrators, StiffGoesThroughImpactsOfBristles) {
+  const StageRecord stiff = run_for(make_bristled_press(316.0), 0.1, Integrator::stiff);
+  EXPECT_GT(stiff.solver.onsets, 20);
+  EXPECT_LT(std::abs(stiff.ledger.residual()), 1e-8 * stiff.ledger.exchanged);
+}
+
+TEST(Integrators, AllAgreeOnBristles) {
+  // Before impacts have pulled neighbouring motions apart.
+  const Mechanism press = make_bristled_press(10.0);
+  const StageRecord with_explicit = run_for(press, 0.02, Integrator::explicit_pair);
+  EXPECT_GT(with_explicit.solver.onsets, 3);
+  for (const Integrator integrator : {Integrator::stiff, Integrator::automatic}) {
+    const StageRecord stage = run_for(press, 0.02, integrator);
+    EXPECT_EQ(stage.solver.onsets, with_explicit.solver.onsets);
+    // A hundred tolerances: what impacts make of the errors before them.
+    EXPECT_NEAR(find_last(stage, "slider_9.x_velocity"), find_last(with_explicit, "slider_9.x_velocity"), 1e-7);
+    EXPECT_NEAR(find_last(stage, "B.normal_force"), find_last(with_explicit, "B.normal_force"), 1e-2);
+  }
+}
+
+TEST(Integrators, AutomaticIsExplicitWithoutBristles) {
+  const Mechanism mechanism = oracle::make_slider_crank_clearance();
+  const StageRecord automatic = run_for(mechanism, 1e-3, Integrator::automatic);
+  const StageRecord with_explicit = run_for(mechanism, 1e-3, Integrator::explicit_pair);
+  EXPECT_EQ(automatic.values, with_explicit.values);
+  EXPECT_EQ(automatic.solver.evaluations, with_explicit.solver.evaluations);
+}
+
+// Where bristles hold steps short the automatic choice costs less than the explicit pair alone, and nowhere much more.
+TEST(Integrators, AutomaticPays) {
+  const auto count = [](Integrator integrator, double damping) {
+    return static_cast<double>(run_for(make_bristled_press(damping), 0.02, integrator).solver.evaluations);
+  };
+  for (const double damping : {0.0, 100.0}) {
+    EXPECT_LT(count(Integrator::automatic, damping), 1.1 * count(Integrator::explicit_pair, damping)) << damping;
+  }
+}
+
+TEST(Integrators, StiffKeepsTheLedgerAsWellAsTheExplicitPair) {
+  const Mechanism press = oracle::make_nine_bar();
+  const auto residual = [&](Integrator integrator) {
+    const EnergyLedger ledger = run_for(press, 0.2, integrator).ledger;
+    return std::abs(ledger.residual()) / ledger.exchanged;
+  };
+  // Both are chance sums of local errors at a tolerance of 1e-9.
+  EXPECT_LT(residual(Integrator::explicit_pair), 5e-9);
+  EXPECT_LT(residual(Integrator::stiff), 5e-9);
+}
+
 TEST(Bristles, BendWithinTheirLimitInContactOnly) {
   const Mechanism mechanism = make_bristled();
   const StageRecord stage = run_for(mechanism, 24e-3, Integrator::explicit_pair);

@@ -100,6 +100,27 @@ TEST(ContactForce, IsNothingUnlessLatchedAndPressed) {
   }
 }
 
+// A linear damper presses from the first touch on; a hair before it a latched contact presses as much.
+TEST(ContactForce, BeginsWithItsStep) {
+  for (const AnyNormalForce& law :
+       {AnyNormalForce{KelvinVoigt{2e8, 3e3}}, AnyNormalForce{Anagnostopoulos{2e8, 0.14}}}) {
+    EXPECT_TRUE(steps_at_onset(law));
+    Contact contact = make_contact(0.5e-3);
+    set_normal_force(contact, law);
+    contact.steps_at_onset = true;
+    const auto press = [&](double penetration, double rate) {
+      return find_contact_forces(contact, {{0.5e-3 + penetration, 0.0}, {rate, 0.2}}, {true, 0.1});
+    };
+    EXPECT_GT(press(-1e-12, 0.1).normal_force, 1.0);
+    // A picometre's elastic force, 2e-4 N, and rounding of half a millimetre.
+    EXPECT_NEAR(press(-1e-12, 0.1).normal_force, press(1e-12, 0.1).normal_force, 4e-4);
+    EXPECT_EQ(press(-1e-12, -0.1).normal_force, 0.0) << "parted";
+    EXPECT_NEAR(press(-1e-12, 0.1).elastic_energy, 0.0, 1e-20);
+    EXPECT_EQ(find_contact_forces(contact, {{0.4e-3, 0.0}, {0.1, 0.0}}, {false, 0.0}).normal_force, 0.0);
+  }
+  EXPECT_FALSE(steps_at_onset(LankaraniNikravesh{}));
+}
+
 TEST(ContactForce, HandsOnNaN) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const ContactForces forces = find_contact_forces(make_contact(0.5e-3), {{nan, 0.0}, {}}, {true, 0.1});

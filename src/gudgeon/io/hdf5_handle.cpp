@@ -66,7 +66,10 @@ Hdf5Handle::~Hdf5Handle() {
   }
 }
 
+// Every handle closes itself, so that nothing is left for the library to close at exit. What it keeps inside of a
+// damaged file that it failed to open it cannot close either: up to HDF5 1.10 it tries a hundred times and complains.
 Hdf5Session::Hdf5Session() : lock_(hdf5_mutex()) {
+  [[maybe_unused]] static const int once = H5dont_atexit();
   H5Eget_auto2(H5E_DEFAULT, &print_errors_, &print_data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

@@ -28,7 +28,8 @@ inline constexpr std::array<std::pair<std::string_view, Deposition>, 2> kDeposit
     {"spread", Deposition::spread},
     {"point", Deposition::point},
 }};
-inline constexpr std::array<std::pair<std::string_view, Integrator>, 2> kIntegrators{{
+inline constexpr std::array<std::pair<std::string_view, Integrator>, 3> kIntegrators{{
+    {"automatic", Integrator::automatic},
     {"explicit", Integrator::explicit_pair},
     {"stiff", Integrator::stiff},
 }};

@@ -25,8 +25,9 @@ enum class Stabilization {
 
 /// How motions are integrated.
 enum class Integrator {
-  explicit_pair,  ///< Runge-Kutta pair of Dormand and Prince (default)
-  stiff,          ///< backward differentiation, for bristles and very stiff contacts
+  automatic,      ///< the explicit pair; with bristles, stiff where its steps are held by stability (default)
+  explicit_pair,  ///< Runge-Kutta pair of Dormand and Prince
+  stiff,          ///< backward differentiation
 };
 
 /// A value known from elsewhere, set beside ours in the summary: [[published]] of the model file.
@@ -51,7 +52,7 @@ struct Study {
   double relative_tolerance = 1e-7;  ///< [1] local error a step, of each coordinate and rate
   double absolute_tolerance = 1e-9;  ///< [rad, m, rad/s, m/s] local error a step near zero
   double max_step = 0.0;             ///< [s] largest step; 0 leaves it to the error control
-  Integrator integrator = Integrator::explicit_pair;
+  Integrator integrator = Integrator::automatic;
   Stabilization stabilization = Stabilization::projection;
   double baumgarte_alpha = 5.0;  ///< α [1/s]
   double baumgarte_beta = 5.0;   ///< β [1/s]

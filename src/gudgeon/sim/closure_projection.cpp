@@ -28,11 +28,29 @@ ClosureProjection::ClosureProjection(const Tables& tables, double tolerance)
       residual_(tables.closures.size()),
       correction_(static_cast<std::size_t>(tables.counts.n_free())) {}
 
+// What a gap does to the motion grows towards a singular position, and so does the care that it takes.
+double ClosureProjection::find_tolerance(const Workspace& workspace) const noexcept {
+  return tolerance_ / std::max(1.0, find_singular_closeness(*tables_, workspace));
+}
+
+bool ClosureProjection::is_needed(Workspace& workspace) const noexcept {
+  update_closures(*tables_, workspace);
+  const double off = std::max(find_largest(workspace.closure_gap), find_largest(workspace.closure_rate));
+  return !(off <= find_tolerance(workspace));  // NaN needs it too
+}
+
 int ClosureProjection::project(double t, std::vector<double>& y, std::vector<double>& slope,
                                MotionEquations& equations) {
+  return correct(find_tolerance(equations.workspace), t, y, slope, equations);
+}
+
+int ClosureProjection::close(double t, std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations) {
+  return correct(0.0, t, y, slope, equations);
+}
+
+int ClosureProjection::correct(double tolerance, double t, std::vector<double>& y, std::vector<double>& slope,
+                               MotionEquations& equations) {
   Workspace& workspace = equations.workspace;
-  // What a gap does to the motion grows towards a singular position, and so does the care that it takes.
-  const double tolerance = tolerance_ / std::max(1.0, find_singular_closeness(*tables_, workspace));
   if (correction_.empty()) return 0;
   int n_corrections = 0;
   for (const bool rates : {false, true}) {

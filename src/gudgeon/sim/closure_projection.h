@@ -19,8 +19,16 @@ class ClosureProjection {
   /// Corrects positions, then rates, of the state y that `equations` were last evaluated for, and evaluates the slope
   /// again after each correction. Returns how many there were: 0, 1 or 2.
   int project(double t, std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations);
+  /// The same however little the closures are off.
+  int close(double t, std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations);
+  /// Whether any closure of the workspace's coordinates is off by more than the tolerance; updates closures only.
+  [[nodiscard]] bool is_needed(Workspace& workspace) const noexcept;
 
  private:
+  [[nodiscard]] double find_tolerance(const Workspace& workspace) const noexcept;
+  int correct(double tolerance, double t, std::vector<double>& y, std::vector<double>& slope,
+              MotionEquations& equations);
+
   const Tables* tables_;
   double tolerance_;
   std::vector<Vec2> residual_;

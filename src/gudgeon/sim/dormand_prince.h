@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -60,6 +61,24 @@ class DormandPrince final : public DenseStep {
   [[nodiscard]] const std::vector<double>& end_slope() const { return slopes_[kStages - 1]; }
   /// Estimated local error of each component over the last attempt.
   [[nodiscard]] const std::vector<double>& error() const { return error_; }
+
+  /// h |λ| [1] of the last attempt, λ the fastest rate that its last two stages, which are at one time, feel; beyond
+  /// 3.3 decays are not stable. weigh(i, size) is by how much component i counts. Hairer & Wanner 1996, IV.2.
+  template <class Weigh>
+  [[nodiscard]] double find_stiffness(std::size_t n_counted, Weigh&& weigh) const noexcept {
+    double slopes = 0.0;
+    double states = 0.0;
+    for (std::size_t i = 0; i < n_counted; ++i) {
+      double apart = 0.0;
+      for (int j = 0; j < kStages - 2; ++j) apart += (kCoefficients[6][j] - kCoefficients[5][j]) * slopes_[j][i];
+      apart += kCoefficients[6][5] * slopes_[5][i];
+      const double weight = weigh(i, end_[i]);
+      states += weight * weight * apart * apart;
+      const double slope = weight * (slopes_[6][i] - slopes_[5][i]);
+      slopes += slope * slope;
+    }
+    return states > 0.0 ? std::sqrt(slopes / states) : 0.0;
+  }
 
   /// Within the last attempt.
   void interpolate(double share, std::size_t n_wanted, double* y) const noexcept override {

@@ -5,6 +5,7 @@
 #include "gudgeon/sim/explicit_stepper.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gudgeon {
 
@@ -12,7 +13,8 @@ ExplicitStepper::ExplicitStepper(MotionEquations& equations, SolverStatistics& s
                                  const ErrorTolerance& tolerance, double first_step)
     : Stepper(equations, statistics, DormandPrince::kStages),
       formula_(equations.size()),
-      control_(tolerance, first_step) {}
+      control_(tolerance, first_step),
+      tolerance_(tolerance) {}
 
 void ExplicitStepper::begin(double time, const std::vector<double>& y, const std::vector<double>& slope,
                             bool /*continues*/) {
@@ -34,6 +36,12 @@ void ExplicitStepper::end_at(double h) {
     take_samples(stage);
   });
   statistics_.evaluations += DormandPrince::kStages - 1;
+}
+
+double ExplicitStepper::find_stiffness() const noexcept {
+  return formula_.find_stiffness(tolerance_.n_controlled(), [this](std::size_t i, double value) {
+    return 1.0 / tolerance_.find(i, std::abs(value));
+  });
 }
 
 void ExplicitStepper::accept() {

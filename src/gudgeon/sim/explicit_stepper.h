@@ -22,6 +22,8 @@ class ExplicitStepper final : public Stepper {
   void shorten() override { control_.shorten(attempted_); }
   void accept() override;
   [[nodiscard]] double next_step() const override { return control_.next_step(); }
+  /// h |λ| [1] of the last step, weighted by the tolerances.
+  [[nodiscard]] double find_stiffness() const noexcept;
   void note_onset() override { control_.note_onset(); }
   [[nodiscard]] const DenseStep& dense() const override { return formula_; }
   [[nodiscard]] std::span<const double> weights() const override { return DormandPrince::kWeights; }
@@ -29,6 +31,7 @@ class ExplicitStepper final : public Stepper {
  private:
   DormandPrince formula_;
   StepControl control_;
+  const ErrorTolerance& tolerance_;
   double attempted_ = 0.0;  // [s]
 };
 

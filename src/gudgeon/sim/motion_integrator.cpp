@@ -8,9 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "gudgeon/sim/explicit_stepper.h"
-#include "gudgeon/sim/stiff_stepper.h"
-
 namespace gudgeon {
 
 namespace {
@@ -54,13 +51,16 @@ MotionIntegrator::MotionIntegrator(const System& system, const Study& study, dou
       slope_(equations_.size(), 0.0),
       gaps_(system.tables.contacts.size()),
       end_gaps_(system.tables.contacts.size()) {
-  if (study.integrator == Integrator::stiff) {
-    const bool projects = study.stabilization == Stabilization::projection && !system.tables.closures.empty();
-    stepper_ = std::make_unique<StiffStepper>(equations_, statistics_, tolerance_, projects ? &projection_ : nullptr,
-                                              longest_step_);
-  } else {
-    stepper_ = std::make_unique<ExplicitStepper>(equations_, statistics_, tolerance_, kFirstStepShare * cycle_time);
+  if (study.integrator != Integrator::stiff) {
+    explicit_ = std::make_unique<ExplicitStepper>(equations_, statistics_, tolerance_, kFirstStepShare * cycle_time);
   }
+  if (study.integrator == Integrator::stiff ||
+      (study.integrator == Integrator::automatic && system.tables.n_bristles > 0)) {
+    const bool projects = study.stabilization == Stabilization::projection && !system.tables.closures.empty();
+    stiff_ = std::make_unique<StiffStepper>(equations_, statistics_, tolerance_, projects ? &projection_ : nullptr,
+                                            longest_step_);
+  }
+  stepper_ = explicit_ ? static_cast<Stepper*>(explicit_.get()) : stiff_.get();
 }
 
 bool MotionIntegrator::begin(const State& start) {
@@ -77,14 +77,39 @@ void MotionIntegrator::evaluate_again() {
   ++statistics_.evaluations;
 }
 
+// Goes on with another stepper from where the last step ended.
+void MotionIntegrator::use(Stepper& stepper) {
+  if (stepper_ == &stepper) return;
+  stepper.take_over(*stepper_);
+  stepper_ = &stepper;
+  continues_ = false;
+  passage_.forget();
+}
+
+// After a step, where both steppers may be used.
+void MotionIntegrator::choose_stepper() {
+  if (!explicit_ || !stiff_ || last_step_ == 0.0) return;
+  if (stepper_ == explicit_.get()) {
+    if (watch_.note_explicit_step(last_step_, explicit_->find_stiffness())) use(*stiff_);
+  } else if (watch_.note_stiff_step(last_step_, statistics_.evaluations - n_evaluations_)) {
+    use(*explicit_);
+  }
+}
+
 bool MotionIntegrator::advance(double milestone) {
+  choose_stepper();
+  n_evaluations_ = statistics_.evaluations;
   if (changing_contact_) turn_latch(*std::exchange(changing_contact_, std::nullopt));
   if (pass_singular_position(milestone)) return true;
   const double longest = std::min(longest_step_, passage_.find_longest_step());
   stepper_->begin(time_, y_, slope_, std::exchange(continues_, true));
   while (!attempt_step(longest, milestone - time_)) {
     ++statistics_.rejected_steps;
-    if (stepper_->next_step() < kSmallestStep) return false;
+    if (stepper_->next_step() >= kSmallestStep) continue;
+    if (!explicit_ || stepper_ == explicit_.get()) return false;
+    watch_.forget();
+    use(*explicit_);
+    stepper_->begin(time_, y_, slope_, false);
   }
   accept(milestone);
   return true;
@@ -161,11 +186,13 @@ bool MotionIntegrator::land_on_change(const ContactChange& change) {
 void MotionIntegrator::turn_latch(std::size_t k) {
   ContactLatch& latch = equations_.latches[k];
   passage_.forget();
+  watch_.forget();
+  if (explicit_) use(*explicit_);
   continues_ = false;
   const bool has_bristle = system_.tables.contacts[k].bristle >= 0;
   if (latch.in_contact) {
     latch = {};
-    stepper_->forget_samples(k);
+    stepper_->forget_samples(k);  // the other stepper takes them over
     if (has_bristle) y_[equations_.bristle_at(k)] = 0.0;
     ++statistics_.separations;
   } else {
@@ -173,8 +200,8 @@ void MotionIntegrator::turn_latch(std::size_t k) {
     stepper_->note_onset();
     ++statistics_.onsets;
   }
-  // Forces are zero on both sides of the change; a bristle's rate is not.
-  if (has_bristle) evaluate_again();
+  // Most forces are zero on both sides of the change; a bristle's rate is not.
+  if (has_bristle || system_.tables.contacts[k].steps_at_onset) evaluate_again();
 }
 
 void MotionIntegrator::accept(double milestone) {

@@ -13,9 +13,11 @@
 #include "gudgeon/sim/closure_projection.h"
 #include "gudgeon/sim/contact_events.h"
 #include "gudgeon/sim/error_tolerance.h"
+#include "gudgeon/sim/explicit_stepper.h"
 #include "gudgeon/sim/motion_equations.h"
 #include "gudgeon/sim/singular_passage.h"
-#include "gudgeon/sim/stepper.h"
+#include "gudgeon/sim/stiff_stepper.h"
+#include "gudgeon/sim/stiffness_watch.h"
 
 namespace gudgeon {
 
@@ -59,6 +61,8 @@ class MotionIntegrator {
   void evaluate_again();
 
  private:
+  void use(Stepper& stepper);
+  void choose_stepper();
   bool pass_singular_position(double milestone);
   bool attempt_step(double longest, double left);
   bool land_on_change(const ContactChange& change);
@@ -76,7 +80,11 @@ class MotionIntegrator {
   ContactEvents events_;
   Workspace scratch_;
   SolverStatistics statistics_;
-  std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<ExplicitStepper> explicit_;  // the steppers that the study permits
+  std::unique_ptr<StiffStepper> stiff_;
+  Stepper* stepper_ = nullptr;  // the one at work
+  StiffnessWatch watch_;
+  std::int64_t n_evaluations_ = 0;  // before the last step
 
   double time_ = 0.0;
   double last_step_ = 0.0;

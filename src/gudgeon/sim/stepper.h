@@ -56,6 +56,10 @@ class Stepper {
   [[nodiscard]] const ContactSample& find_sample(int stage, std::size_t contact) const {
     return samples_[stage][contact];
   }
+  /// Goes on where another stepper's last step ended.
+  void take_over(const Stepper& other) {
+    for (auto& stage : samples_) stage = other.samples_.back();
+  }
   /// A contact has ended.
   void forget_samples(std::size_t contact) {
     for (auto& stage : samples_) stage[contact] = {};

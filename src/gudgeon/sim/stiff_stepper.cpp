@@ -17,8 +17,15 @@ constexpr double kRootOfFive = 2.23606797749978969;
 // Lobatto's nodes and weights on [0, 1].
 constexpr std::array<double, kStages> kNodes{0.0, 0.5 - 0.5 / kRootOfFive, 0.5 + 0.5 / kRootOfFive, 1.0};
 constexpr std::array<double, kStages> kWeights{1.0 / 12, 5.0 / 12, 5.0 / 12, 1.0 / 12};
+// The explicit pair goes on with the better of its two solutions and so stays far below its tolerance; errors of
+// backward differentiation are as large as they are estimated, and add up. With this share both come equally near the
+// truth.
+constexpr double kErrorShare = 0.02;
 // A step that has to be given up is tried again as this share of it.
 constexpr double kShortened = 0.2;
+// The slope is compared with that a little later to find the first step: a share of the longest step, then the guess.
+constexpr double kFirstLook = 1e-6;
+constexpr int kLooks = 2;
 
 // ∫₀ˢ of the cubic that is one at one node and zero at the others: coefficients of s, s², s³, s⁴.
 using Integral = std::array<double, kStages>;
@@ -55,6 +62,7 @@ StiffStepper::StiffStepper(MotionEquations& equations, SolverStatistics& statist
       start_slope_(equations.size()),
       state_(equations.size()),
       slope_(equations.size()),
+      longest_step_(longest_step),
       next_(longest_step) {}
 
 std::span<const double> StiffStepper::weights() const { return kWeights; }
@@ -71,11 +79,18 @@ bool StiffStepper::eval(double t, const double* y, double* slope) noexcept {
 }
 
 void StiffStepper::find_weights(const double* y, double* weights) noexcept {
-  for (std::size_t i = 0; i < equations_.n_states(); ++i) weights[i] = 1.0 / tolerance_.find(i, std::abs(y[i]));
+  for (std::size_t i = 0; i < equations_.n_states(); ++i) {
+    weights[i] = 1.0 / (kErrorShare * tolerance_.find(i, std::abs(y[i])));
+  }
 }
 
 bool StiffStepper::find_correction(double t, const double* y, double* correction) noexcept {
   const std::size_t n = equations_.n_states();
+  equations_.update_coordinates(t, y);
+  if (!projection_->is_needed(equations_.workspace)) {
+    std::fill_n(correction, n, 0.0);
+    return true;
+  }
   std::copy_n(y, n, state_.begin());
   ++statistics_.evaluations;
   equations_.eval(t, state_.data(), slope_.data());
@@ -88,6 +103,27 @@ bool StiffStepper::find_correction(double t, const double* y, double* correction
     sum += 0.0 * correction[i];
   }
   return std::isfinite(sum);
+}
+
+// The first step is of order 1, so that its error is ½ h² |ÿ|; a quarter of the tolerance is aimed at. CVODE's own
+// guess takes the time in which a component leaves its tolerance for its time scale: next to nothing for a straight
+// bristle.
+double StiffStepper::find_first_step() {
+  const std::size_t n = equations_.n_states();
+  double h = kFirstLook * longest_step_;
+  for (int look = 0; look < kLooks; ++look) {
+    for (std::size_t i = 0; i < n; ++i) state_[i] = start_[i] + h * start_slope_[i];
+    ++statistics_.evaluations;
+    equations_.eval(time_ + h, state_.data(), slope_.data());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double ratio = (slope_[i] - start_slope_[i]) / (h * kErrorShare * tolerance_.find(i, std::abs(start_[i])));
+      sum += ratio * ratio;
+    }
+    const double guess = std::sqrt(0.5 / std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n, 1))));
+    h = std::isfinite(guess) ? std::clamp(guess, kSmallestStep, longest_step_) : kFirstLook * longest_step_;
+  }
+  return h;
 }
 
 void StiffStepper::restart(double first_step) {
@@ -113,7 +149,7 @@ bool StiffStepper::attempt(double /*longest*/, double left) {
     restarts_ = true;
     h_ = whole_ = left;
   } else {
-    if (restarts_) restart(0.0);
+    if (restarts_) restart(find_first_step());
     const std::optional<double> reached = cvode_.step(time_ + left);
     const long n_failures = cvode_.count_failures();
     statistics_.rejected_steps += n_failures - n_failures_;
@@ -131,10 +167,17 @@ bool StiffStepper::attempt(double /*longest*/, double left) {
   return true;
 }
 
+// Dense output is off the constraints by its error. The end is put onto them, lest the next step move the gap there.
 void StiffStepper::end_at(double h) {
   h_ = h;
   restarts_ = h != whole_;
   move_to_end();
+  if (projection_ == nullptr || !restarts_) return;
+  ++statistics_.evaluations;
+  equations_.eval(time_ + h_, end_.data(), slope_.data());
+  const int n_corrections = projection_->close(time_ + h_, end_, slope_, equations_);
+  statistics_.projections += n_corrections;
+  statistics_.evaluations += n_corrections;
 }
 
 void StiffStepper::move_to_end() {
@@ -157,11 +200,13 @@ void StiffStepper::take_stage(int stage) {
 }
 
 void StiffStepper::accept() {
-  for (int stage = 1; stage < kStages; ++stage) {
+  for (int stage = 1; stage < kStages - 1; ++stage) {
     interpolate(kNodes[stage], equations_.n_states(), state_.data());
     take_stage(stage);
   }
-  interpolate(1.0, end_.size(), end_.data());
+  std::copy_n(end_.begin(), equations_.n_states(), state_.begin());
+  take_stage(kStages - 1);
+  add_integrals(1.0, end_.size(), end_.data());
 }
 
 void StiffStepper::interpolate(double share, std::size_t n_wanted, double* y) const noexcept {
@@ -171,6 +216,11 @@ void StiffStepper::interpolate(double share, std::size_t n_wanted, double* y) co
   } else {
     cvode_.interpolate(time_ + share * h_, n_wanted, y);
   }
+  add_integrals(share, n_wanted, y);
+}
+
+void StiffStepper::add_integrals(double share, std::size_t n_wanted, double* y) const noexcept {
+  const std::size_t n = equations_.n_states();
   for (std::size_t i = n; i < n_wanted; ++i) {
     double integral = 0.0;
     for (int stage = 0; stage < kStages; ++stage) integral += eval_integral(stage, share) * powers_[stage][i - n];

@@ -39,9 +39,11 @@ class StiffStepper final : public Stepper, private DenseStep, private StiffProbl
   bool eval(double t, const double* y, double* slope) noexcept override;
   void find_weights(const double* y, double* weights) noexcept override;
   bool find_correction(double t, const double* y, double* correction) noexcept override;
+  double find_first_step();
   void restart(double first_step);
   void move_to_end();
   void take_stage(int stage);
+  void add_integrals(double share, std::size_t n_wanted, double* y) const noexcept;
 
   const ErrorTolerance& tolerance_;
   ClosureProjection* projection_;
@@ -51,6 +53,7 @@ class StiffStepper final : public Stepper, private DenseStep, private StiffProbl
   std::vector<double> state_;  // scratch, as large as y
   std::vector<double> slope_;
   std::array<std::array<double, kEnergyIntegrals>, kStages> powers_{};
+  double longest_step_;    // [s]
   bool restarts_ = true;   // the next attempt does not continue CVODE's history
   bool is_fresh_ = false;  // no step was taken since CVODE started anew
   bool is_line_ = false;   // too short a step for CVODE: along the slope

@@ -69,6 +69,7 @@ class ContactCompiler {
     contact.friction = properties.friction;
     if (has_bristle(contact.friction)) contact.bristle = tables_.n_bristles++;
     contact.bristle_scale = find_bristle_scale(contact.friction);
+    contact.steps_at_onset = steps_at_onset(contact.normal_force);
     contact.bearing_wear = properties.bearing_wear;
     contact.journal_wear = properties.journal_wear;
     contact.onset_speed_floor = properties.onset_speed_floor;

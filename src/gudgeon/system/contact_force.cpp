@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "gudgeon/system/coordinates.h"
 
@@ -26,6 +27,14 @@ Friction find_friction(const Contact& contact, double slip_speed, double bristle
 
 double find_stiffness_factor(const Material& bearing, const Material& journal) {
   return 4.0 / 3.0 * find_contact_modulus(bearing, journal);
+}
+
+bool steps_at_onset(const AnyNormalForce& normal_force) {
+  return std::visit(
+      []<class Law>(const Law&) {
+        return requires { Law::kStepsAtOnset; };
+      },
+      normal_force);
 }
 
 bool has_bristle(const AnyFriction& friction) {
@@ -65,7 +74,7 @@ ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& 
   forces.gap = find_gap(contact.surfaces, motion);
   const ContactGap& gap = forces.gap;
   if (!latch.in_contact) return forces;
-  if (gap.penetration <= 0.0) {  // NaN goes on, to be seen
+  if (gap.penetration <= 0.0 && !contact.steps_at_onset) {  // NaN goes on, to be seen
     if (contact.bristle >= 0) {
       forces.bristle_rate = find_friction(contact, find_slip_speed(gap, motion), bristle).bristle_rate;
     }
@@ -73,7 +82,8 @@ ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& 
   }
 
   // Along the normal.
-  const NormalContact kinematics{gap.penetration,
+  constexpr double kTouching = std::numeric_limits<double>::min();  // [m] the least that counts as contact
+  const NormalContact kinematics{std::max(gap.penetration, kTouching),
                                  gap.penetration_rate,
                                  std::max(latch.onset_speed, contact.onset_speed_floor),
                                  contact.stiffness_factor * std::sqrt(gap.relative_radius),

@@ -31,6 +31,7 @@ struct Contact {
   double damping_factor = 0.0;    ///< χ [1] of the law of normal force
   double width = 0.0;             ///< w [m]
   AnyNormalForce normal_force;
+  bool steps_at_onset = false;  ///< the normal force does
   AnyFriction friction;
   int bristle = -1;            ///< index of the bristle's deflection in the state, -1 without one
   double bristle_scale = 0.0;  ///< [m] deflection at which the bristle slips
@@ -50,7 +51,7 @@ struct ContactLatch {
 
 /// Gap, forces and powers of one contact at one instant; all zero but the gap in free flight. Where the
 /// surfaces of a latched contact stand a hair apart, before they touch or once they part, its bristle has its rate
-/// already, or still: the rate does not jump as the force begins or ends.
+/// already, or still, and so has a force that begins with a step: within a step of the integrator neither jumps.
 struct ContactForces {
   ContactGap gap;
   double slip_speed = 0.0;         ///< v [m/s] of the journal's surface relative to the bearing's, along perp(n)
@@ -77,6 +78,8 @@ RelativeMotion find_contact_motion(const Contact& contact, const struct Coordina
 ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
                                   double bristle = 0.0) noexcept;
 
+/// Whether a law's force begins with a step as surfaces meet: its damping does not grow from nothing.
+bool steps_at_onset(const AnyNormalForce& normal_force);
 /// Whether a friction law has a bristle.
 bool has_bristle(const AnyFriction& friction);
 /// [m] the deflection at which a law's bristle slips, v z/(v − ż) at 1 m/s; zero without a bristle.

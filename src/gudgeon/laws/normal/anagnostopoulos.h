@@ -25,6 +25,7 @@ struct Anagnostopoulos {
   double effective_mass = kRequired;  ///< m [kg]
   double restitution = 0.9;           ///< e [1]
 
+  static constexpr bool kStepsAtOnset = true;
   static constexpr std::string_view kName = "anagnostopoulos";
   static constexpr std::string_view kFormula = "F = k δ + 2ξ√(k m) δ̇, ξ = −ln e/√(π² + ln² e)";
   static constexpr std::array<Parameter<Anagnostopoulos>, 3> kParameters{{

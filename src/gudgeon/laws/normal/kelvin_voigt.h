@@ -20,6 +20,7 @@ struct KelvinVoigt {
   double stiffness = kRequired;  ///< k [N/m]
   double damping = kRequired;    ///< d [N s/m]
 
+  static constexpr bool kStepsAtOnset = true;
   static constexpr std::string_view kName = "kelvin_voigt";
   static constexpr std::string_view kFormula = "F = k δ + d δ̇";
   static constexpr std::array<Parameter<KelvinVoigt>, 2> kParameters{{

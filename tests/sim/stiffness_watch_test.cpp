@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// When the integrators change over.
+#include "gudgeon/sim/stiffness_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace gudgeon {
+namespace {
+
+constexpr double kStep = 1e-4;  // [s], six evaluations each
+
+// Stiff explicit steps until the stiff integrator is called for.
+int count_stiff_steps(StiffnessWatch& watch) {
+  int n = 1;
+  while (!watch.note_explicit_step(kStep, 3.0)) ++n;
+  return n;
+}
+
+TEST(StiffnessWatch, CallsAfterStiffStepsInARow) {
+  StiffnessWatch watch;
+  EXPECT_EQ(count_stiff_steps(watch), 15);
+}
+
+TEST(StiffnessWatch, AccurateStepsVoidTheStiffOnesBefore) {
+  StiffnessWatch watch;
+  for (int k = 0; k < 14; ++k) EXPECT_FALSE(watch.note_explicit_step(kStep, 3.0));
+  for (int k = 0; k < 6; ++k) EXPECT_FALSE(watch.note_explicit_step(kStep, 0.5));
+  EXPECT_EQ(count_stiff_steps(watch), 15);
+  // Five do not.
+  for (int k = 0; k < 14; ++k) EXPECT_FALSE(watch.note_explicit_step(kStep, 3.0));
+  for (int k = 0; k < 5; ++k) EXPECT_FALSE(watch.note_explicit_step(kStep, 0.5));
+  EXPECT_TRUE(watch.note_explicit_step(kStep, 3.0));
+}
+
+TEST(StiffnessWatch, StaysWithWhatPays) {
+  StiffnessWatch watch;
+  count_stiff_steps(watch);
+  // Four evaluations that count as eight, over a hundred explicit steps.
+  for (int k = 0; k < 1000; ++k) EXPECT_FALSE(watch.note_stiff_step(100.0 * kStep, 4)) << k;
+  watch.forget();
+  EXPECT_EQ(count_stiff_steps(watch), 15);
+}
+
+TEST(StiffnessWatch, GivesUpWhatDoesNotPayAndWaitsLonger) {
+  StiffnessWatch watch;
+  int waited = count_stiff_steps(watch);
+  for (int round = 0; round < 12; ++round) {
+    int n = 1;
+    while (!watch.note_stiff_step(0.1 * kStep, 4)) ++n;
+    // It has taken no more than the steps before it, to the next fifty.
+    EXPECT_LE(n * 8, 6 * waited + 50 * 8);
+    const int now = count_stiff_steps(watch);
+    EXPECT_EQ(now, std::min(2 * waited, 15 << 10));
+    waited = now;
+  }
+}
+
+TEST(StiffnessWatch, AStintCutShortCountsToo) {
+  StiffnessWatch watch;
+  count_stiff_steps(watch);
+  watch.note_stiff_step(0.1 * kStep, 4);
+  watch.forget();
+  EXPECT_EQ(count_stiff_steps(watch), 30);
+  // One that pays makes up for one that did not.
+  watch.note_stiff_step(100.0 * kStep, 4);
+  watch.forget();
+  EXPECT_EQ(count_stiff_steps(watch), 15);
+}
+
+}  // namespace
+}  // namespace gudgeon
