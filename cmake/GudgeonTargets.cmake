@@ -12,6 +12,10 @@ target_compile_options(gudgeon_options INTERFACE
   -ffp-contract=off  # same bits whatever instruction set the compiler is allowed to use
   # comparisons and square roots need neither errno nor floating-point traps
   -fno-math-errno -fno-trapping-math)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  # Processors of the last fifteen years; rounding down is then one instruction, not a call.
+  target_compile_options(gudgeon_options INTERFACE -march=x86-64-v2)
+endif()
 if(GUDGEON_SANITIZE)
   target_compile_options(gudgeon_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
