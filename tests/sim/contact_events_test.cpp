@@ -31,7 +31,7 @@ class Attempt {
 
   std::optional<ContactChange> find_change(double h) {
     ContactEvents events(system.tables);
-    DormandPrince stepper(equations.size());
+    DormandPrince stepper(equations.n_states(), kEnergyIntegrals);
     const State state = make_state(system, assembly);
     std::vector<double> y(equations.size(), 0.0);
     std::vector<double> slope(equations.size());

@@ -26,7 +26,7 @@ const auto kRhs = [](int, double t, const double* y, double* slope) { eval_probl
 
 // Goes on for `duration` in n steps and stays in the last one.
 DormandPrince run_steps(double duration, int n) {
-  DormandPrince stepper(2);
+  DormandPrince stepper(2, 0);
   std::vector<double> y = make_start();
   std::vector<double> slope(2);
   eval_problem(kStartTime, y.data(), slope.data());
@@ -77,7 +77,7 @@ TEST(DormandPrince, ErrorEstimateIsThatOfTheFourthOrder) {
 
 TEST(DormandPrince, DenseOutputIsExactForQuarticsAndMeetsBothEnds) {
   // ẏ = 4 t³ − 6 t: exact for polynomials up to the order; 1e-14 is a few roundings of numbers near 1.
-  DormandPrince stepper(1);
+  DormandPrince stepper(1, 0);
   stepper.begin(0.5, {0.0}, {4.0 * 0.125 - 3.0});
   stepper.attempt(0.8, [](int, double t, const double*, double* slope) { slope[0] = 4.0 * t * t * t - 6.0 * t; });
   const auto exact = [](double t) { return t * t * t * t - 3.0 * t * t - (0.0625 - 0.75); };
@@ -105,7 +105,7 @@ TEST(DormandPrince, WeightsSumToOneAndIntegrateAlong) {
 }
 
 TEST(DormandPrince, StagesAreCalledInOrderAtTheirNodesAndTheLastIsTheEnd) {
-  DormandPrince stepper(2);
+  DormandPrince stepper(2, 0);
   std::vector<double> slope(2);
   const std::vector<double> start = make_start();
   eval_problem(0.4, start.data(), slope.data());

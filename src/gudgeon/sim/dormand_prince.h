@@ -4,9 +4,12 @@
 // The explicit Runge-Kutta pair of Dormand and Prince, order 5(4), with dense output of order 4.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "gudgeon/sim/dense_step.h"
@@ -25,41 +28,39 @@ class DormandPrince final : public DenseStep {
   static constexpr std::array<double, kStages> kWeights{35.0 / 384,     0.0,       500.0 / 1113, 125.0 / 192,
                                                         -2187.0 / 6784, 11.0 / 84, 0.0};
 
-  explicit DormandPrince(std::size_t n)
-      : n_(n), start_(n), end_(n), error_(n), stage_(n), slopes_(kStages, std::vector<double>(n)) {}
+  /// y is n_states components that its slope depends on, then n_integrals of what is only summed up.
+  DormandPrince(std::size_t n_states, std::size_t n_integrals)
+      : n_states_(n_states),
+        n_(n_states + n_integrals),
+        start_(n_),
+        end_(n_),
+        error_(n_states),
+        stage_(n_),
+        slopes_(kStages * n_) {}
 
   /// Sets the start of the next step and its slope.
   void begin(double time, const std::vector<double>& y, const std::vector<double>& slope) {
     time_ = time;
     start_ = y;
-    slopes_[0] = slope;
+    std::ranges::copy(slope, slopes_.begin());
   }
 
-  /// Tries a step of length h. rhs(stage, t, y, dydt) is called for stages 1 to 6; stage 6 is taken at the end.
+  /// Tries a step of length h. rhs(stage, t, y, dydt) is called for stages 1 to 6, stage 6 at the end, with all states
+  /// but no integrals in y.
   template <class Rhs>
   void attempt(double h, Rhs&& rhs) {
     h_ = h;
-    for (int s = 1; s < kStages; ++s) {
-      const double* a = kCoefficients[s].data();
-      for (std::size_t i = 0; i < n_; ++i) {
-        double sum = a[0] * slopes_[0][i];
-        for (int j = 1; j < s; ++j) sum += a[j] * slopes_[j][i];
-        stage_[i] = start_[i] + h * sum;
-      }
-      if (s == kStages - 1) end_ = stage_;
-      rhs(s, time_ + kNodes[s] * h, s == kStages - 1 ? end_.data() : stage_.data(), slopes_[s].data());
-    }
-    for (std::size_t i = 0; i < n_; ++i) {
-      double sum = 0.0;
-      for (int j = 0; j < kStages; ++j) sum += kErrorWeights[j] * slopes_[j][i];
-      error_[i] = h * sum;
-    }
+    [&]<int... kBefore>(std::integer_sequence<int, kBefore...>) {
+      (eval_stage<kBefore + 1>(rhs), ...);
+    }(std::make_integer_sequence<int, kStages - 1>{});
+    for (std::size_t i = n_states_; i < n_; ++i) end_[i] = start_[i] + h * sum_slopes<kStages>(kWeights, i);
+    for (std::size_t i = 0; i < n_states_; ++i) error_[i] = h * sum_slopes<kStages>(kErrorWeights, i);
   }
 
   [[nodiscard]] const std::vector<double>& start() const { return start_; }
   [[nodiscard]] const std::vector<double>& end() const { return end_; }
-  [[nodiscard]] const std::vector<double>& end_slope() const { return slopes_[kStages - 1]; }
-  /// Estimated local error of each component over the last attempt.
+  [[nodiscard]] std::span<const double> end_slope() const { return {slope_of(kStages - 1), n_}; }
+  /// Estimated local error of each state over the last attempt.
   [[nodiscard]] const std::vector<double>& error() const { return error_; }
 
   /// h |λ| [1] of the last attempt, λ the fastest rate that its last two stages, which are at one time, feel; beyond
@@ -85,10 +86,9 @@ class DormandPrince final : public DenseStep {
     const double rest = 1.0 - share;
     for (std::size_t i = 0; i < n_wanted; ++i) {
       const double difference = end_[i] - start_[i];
-      const double bump = h_ * slopes_[0][i] - difference;
-      const double skew = difference - h_ * slopes_[6][i] - bump;
-      double fourth = 0.0;
-      for (int j = 0; j < kStages; ++j) fourth += kDenseWeights[j] * slopes_[j][i];
+      const double bump = h_ * slope_of(0)[i] - difference;
+      const double skew = difference - h_ * slope_of(kStages - 1)[i] - bump;
+      const double fourth = sum_slopes<kStages>(kDenseWeights, i);
       y[i] = start_[i] + share * (difference + rest * (bump + share * (skew + rest * h_ * fourth)));
     }
   }
@@ -112,12 +112,36 @@ class DormandPrince final : public DenseStep {
       701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0,
       69997945.0 / 29380423.0};
 
+  [[nodiscard]] const double* slope_of(int stage) const { return slopes_.data() + static_cast<std::size_t>(stage) * n_; }
+
+  // Σ w_j k_j of component i over the first stages, in their order. Weights are known while compiling, so that zeros
+  // cost nothing.
+  template <int kCount, std::size_t kSize>
+  [[nodiscard]] double sum_slopes(const std::array<double, kSize>& weights, std::size_t i) const noexcept {
+    const double* slope = slopes_.data() + i;
+    double sum = weights[0] * slope[0];
+    for (int j = 1; j < kCount; ++j) {
+      if (weights[j] != 0.0) sum += weights[j] * slope[static_cast<std::size_t>(j) * n_];
+    }
+    return sum;
+  }
+
+  template <int kStage, class Rhs>
+  void eval_stage(Rhs& rhs) {
+    double* y = kStage == kStages - 1 ? end_.data() : stage_.data();
+    for (std::size_t i = 0; i < n_states_; ++i) {
+      y[i] = start_[i] + h_ * sum_slopes<kStage>(kCoefficients[kStage], i);
+    }
+    rhs(kStage, time_ + kNodes[kStage] * h_, y, slopes_.data() + static_cast<std::size_t>(kStage) * n_);
+  }
+
+  std::size_t n_states_;
   std::size_t n_;
   std::vector<double> start_;
   std::vector<double> end_;
   std::vector<double> error_;
   std::vector<double> stage_;
-  std::vector<std::vector<double>> slopes_;
+  std::vector<double> slopes_;  // stage after stage
 };
 
 }  // namespace gudgeon

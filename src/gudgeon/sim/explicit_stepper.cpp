@@ -12,7 +12,7 @@ namespace gudgeon {
 ExplicitStepper::ExplicitStepper(MotionEquations& equations, SolverStatistics& statistics,
                                  const ErrorTolerance& tolerance, double first_step)
     : Stepper(equations, statistics, DormandPrince::kStages),
-      formula_(equations.size()),
+      formula_(equations.n_states(), kEnergyIntegrals),
       control_(tolerance, first_step),
       tolerance_(tolerance) {}
 
@@ -47,7 +47,7 @@ double ExplicitStepper::find_stiffness() const noexcept {
 void ExplicitStepper::accept() {
   control_.note_step(formula_.step());
   end_ = formula_.end();
-  end_slope_ = formula_.end_slope();
+  std::ranges::copy(formula_.end_slope(), end_slope_.begin());
 }
 
 }  // namespace gudgeon

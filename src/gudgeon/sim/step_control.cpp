@@ -19,7 +19,7 @@ constexpr double kErrorExponent = 0.17;
 constexpr double kLastErrorExponent = 0.04;
 // Errors below these say no more about the next step.
 constexpr double kLeastError = 1e-10;
-constexpr double kLeastLastError = 1e-4;
+constexpr double kLeastLogError = -9.0;
 
 }  // namespace
 
@@ -47,11 +47,12 @@ bool StepControl::accepts(const DormandPrince& stepper) {
     next_ = kLeastChange * stepper.step();
     return false;
   }
-  const double change = kSafety * std::pow(error, -kErrorExponent) * std::pow(last_error_, kLastErrorExponent);
+  const double log_error = std::log(error);
+  const double change = kSafety * std::exp(kLastErrorExponent * log_last_error_ - kErrorExponent * log_error);
   const bool accepted = error <= 1.0;
   // A rejected step must shrink.
   next_ = stepper.step() * std::clamp(change, kLeastChange, accepted ? kMostChange : kSafety);
-  if (accepted) last_error_ = std::max(error, kLeastLastError);
+  if (accepted) log_last_error_ = std::max(log_error, kLeastLogError);
   return accepted;
 }
 

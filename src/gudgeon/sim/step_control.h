@@ -37,7 +37,7 @@ class StepControl {
 
   const ErrorTolerance* tolerance_;
   double next_;
-  double last_error_ = 1.0;
+  double log_last_error_ = 0.0;  // of the last accepted step
   double step_after_onset_ = 0.0;
   bool after_onset_ = false;
 };
