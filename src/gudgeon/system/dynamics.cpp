@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gudgeon/base/rotations.h"
 #include "gudgeon/system/equations.h"
 
 namespace gudgeon {
@@ -37,9 +38,8 @@ void update_coordinates(const Tables& tables, double t, const double* q, const d
     coordinates.slide[counts.n_free_slides + k] = driven.value;
     coordinates.slide_rate[counts.n_free_slides + k] = driven.rate;
   }
-  for (int k = 0; k < n_free_turns + counts.n_driven_turns; ++k) {
-    coordinates.rotation[k] = make_rotation(coordinates.angle[k]);
-  }
+  const auto n_turns = static_cast<std::size_t>(n_free_turns + counts.n_driven_turns);
+  make_rotations(std::span<const double>(coordinates.angle).first(n_turns), coordinates.rotation.data());
 }
 
 void update_point_motions(const Tables& tables, Workspace& workspace) noexcept {
@@ -119,8 +119,8 @@ void find_correction(const Tables& tables, std::span<const Vec2> residual, Works
 
 double find_singular_closeness(const Tables& tables, const Workspace& workspace) noexcept {
   double closeness = 0.0;
-  for (std::size_t k = 0; k < tables.usual_inverse_pivots.size(); ++k) {
-    closeness = std::max(closeness, std::abs(workspace.inverse_pivots[k] / tables.usual_inverse_pivots[k]));
+  for (std::size_t k = 0; k < tables.usual_pivots.size(); ++k) {
+    closeness = std::max(closeness, std::abs(workspace.inverse_pivots[k] * tables.usual_pivots[k]));
   }
   return closeness;
 }
@@ -130,9 +130,9 @@ int find_weakest_closure(const Tables& tables, const Workspace& workspace) noexc
   double most = 0.0;
   for (std::size_t c = 0; c < tables.closures.size(); ++c) {
     for (int k = 0; k < 2; ++k) {
-      if (!tables.closures[c].active[k] || tables.usual_inverse_pivots.empty()) continue;
+      if (!tables.closures[c].active[k] || tables.usual_pivots.empty()) continue;
       const int at = tables.elimination.find_slot(tables.closures[c].row[k], tables.closures[c].row[k]);
-      const double ratio = std::abs(workspace.inverse_pivots[at] / tables.usual_inverse_pivots[at]);
+      const double ratio = std::abs(workspace.inverse_pivots[at] * tables.usual_pivots[at]);
       if (!(ratio <= most)) most = ratio, weakest = static_cast<int>(c);
     }
   }

@@ -4,6 +4,7 @@
 // Compilation of the whole, and states from poses.
 #include "gudgeon/system/system.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "gudgeon/system/dynamics.h"
@@ -69,7 +70,9 @@ System compile(const Mechanism& mechanism, const Assembly& assembly) {
     const State state = make_state(system, assembly);
     const std::vector<ContactLatch> open(system.tables.contacts.size());
     eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), open, {}, workspace);
-    system.tables.usual_inverse_pivots = workspace.inverse_pivots;
+    system.tables.usual_pivots.resize(workspace.inverse_pivots.size());
+    std::ranges::transform(workspace.inverse_pivots, system.tables.usual_pivots.begin(),
+                           [](double inverse) { return 1.0 / inverse; });
   }
   return system;
 }

@@ -131,7 +131,7 @@ struct Tables {
   std::vector<DrivenMotion> driven;        ///< one a driver: turns, slides, then those of angle closures
   bool drivers_accelerate = false;         ///< at least one driver does not move uniformly
   Elimination elimination;
-  std::vector<double> usual_inverse_pivots;  ///< of the elimination at the start; none until they are known
+  std::vector<double> usual_pivots;        ///< of the elimination at the start; none until they are known
 
   PointChain points;                  ///< that contacts and variable loads act on or look at
   std::vector<int> chain_index_turn;  ///< equation of each chain row's turn
