@@ -68,18 +68,19 @@ RelativeMotion find_contact_motion(const Contact& contact, const Coordinates& co
           coordinates.angle_rate[contact.journal_turn]};
 }
 
-ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
-                                  double bristle) noexcept {
-  ContactForces forces;
-  forces.gap = find_gap(contact.surfaces, motion);
-  const ContactGap& gap = forces.gap;
-  if (!latch.in_contact) return forces;
-  if (gap.penetration <= 0.0 && !contact.steps_at_onset) {  // NaN goes on, to be seen
-    if (contact.bristle >= 0) {
+void update_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
+                           double bristle, ContactForces& forces) noexcept {
+  const ContactGap gap = find_gap(contact.surfaces, motion);
+  const bool presses = latch.in_contact && (contact.steps_at_onset || !(gap.penetration <= 0.0));  // NaN goes on
+  if (!presses) {
+    forces = ContactForces{};
+    forces.gap = gap;
+    if (latch.in_contact && contact.bristle >= 0) {
       forces.bristle_rate = find_friction(contact, find_slip_speed(gap, motion), bristle).bristle_rate;
     }
-    return forces;
+    return;
   }
+  forces.gap = gap;
 
   // Along the normal.
   constexpr double kTouching = std::numeric_limits<double>::min();  // [m] the least that counts as contact
@@ -125,7 +126,6 @@ ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& 
     forces.surface_power +=
         torque * motion.bearing_rate - normal.force * (dot(gap.normal, motion.velocity) - gap.penetration_rate);
   }
-  return forces;
 }
 
 }  // namespace gudgeon

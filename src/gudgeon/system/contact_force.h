@@ -75,8 +75,15 @@ RelativeMotion find_contact_motion(const Contact& contact, const struct Coordina
 /// middle of the overlap, so momentum and angular momentum are kept. Stiffness K = factor √R_r, eq. (35), with the
 /// local worn radii. bristle z [m] is the deflection of the contact's bristle, where its friction law has one. Eqs. (6)
 /// to (16) of the paper.
-ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
-                                  double bristle = 0.0) noexcept;
+void update_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
+                           double bristle, ContactForces& forces) noexcept;
+
+inline ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& motion,
+                                         const ContactLatch& latch, double bristle = 0.0) noexcept {
+  ContactForces forces;
+  update_contact_forces(contact, motion, latch, bristle, forces);
+  return forces;
+}
 
 /// Whether a law's force begins with a step as surfaces meet: its damping does not grow from nothing.
 bool steps_at_onset(const AnyNormalForce& normal_force);

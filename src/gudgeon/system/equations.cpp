@@ -80,12 +80,13 @@ void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, W
     if (!latches[k].in_contact) continue;
     const Contact& contact = tables.contacts[k];
     const double bristle = contact.bristle < 0 ? 0.0 : ws.bristles[contact.bristle];
-    const ContactForces forces = find_contact_forces(contact, find_contact_motion(contact, ws), latches[k], bristle);
+    ContactForces& forces = ws.contact_forces[k];
+    update_contact_forces(contact, find_contact_motion(contact, ws), latches[k], bristle, forces);
+    ws.touches[k] = true;
     ws.point_loads[contact.journal_row] += forces.force_on_journal;
     ws.point_loads[contact.bearing_row] -= forces.force_on_journal;
     ws.equations[contact.journal_index] += forces.torque_on_journal;
     ws.equations[contact.bearing_index] += forces.torque_on_bearing;
-    ws.contact_forces[k] = forces;
   }
 }
 
@@ -108,7 +109,9 @@ void add_forces_at_points(const Tables& tables, double t, std::span<const Contac
   bool any = tables.loads.vary();
   for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
     any = any || latches[k].in_contact;
+    if (latches[k].in_contact || !ws.touches[k]) continue;
     ws.contact_forces[k] = {};
+    ws.touches[k] = false;
   }
   if (!any) return;
   update_point_motions(tables, ws);

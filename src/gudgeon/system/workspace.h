@@ -26,6 +26,7 @@ struct Workspace {
         point_motions(tables.points.rows().size()),
         point_loads(tables.points.rows().size()),
         contact_forces(tables.contacts.size()),
+        touches(tables.contacts.size(), false),
         loads(tables.loads) {}
 
   Coordinates coordinates;
@@ -41,6 +42,7 @@ struct Workspace {
   std::vector<PointChain::PointMotion> point_motions;
   std::vector<Vec2> point_loads;  ///< force on each chain row [N]
   std::vector<ContactForces> contact_forces;
+  std::vector<char> touches;  ///< whether a contact's forces are other than all zero
   LoadScratch loads;
 };
 
