@@ -50,9 +50,8 @@ class DormandPrince final : public DenseStep {
   template <class Rhs>
   void attempt(double h, Rhs&& rhs) {
     h_ = h;
-    [&]<int... kBefore>(std::integer_sequence<int, kBefore...>) {
-      (eval_stage<kBefore + 1>(rhs), ...);
-    }(std::make_integer_sequence<int, kStages - 1>{});
+    [&]<int... kBefore>(std::integer_sequence<int, kBefore...>) { (eval_stage<kBefore + 1>(rhs), ...); }
+    (std::make_integer_sequence<int, kStages - 1>{});
     for (std::size_t i = n_states_; i < n_; ++i) end_[i] = start_[i] + h * sum_slopes<kStages>(kWeights, i);
     for (std::size_t i = 0; i < n_states_; ++i) error_[i] = h * sum_slopes<kStages>(kErrorWeights, i);
   }
@@ -71,11 +70,11 @@ class DormandPrince final : public DenseStep {
     double states = 0.0;
     for (std::size_t i = 0; i < n_counted; ++i) {
       double apart = 0.0;
-      for (int j = 0; j < kStages - 2; ++j) apart += (kCoefficients[6][j] - kCoefficients[5][j]) * slopes_[j][i];
-      apart += kCoefficients[6][5] * slopes_[5][i];
+      for (int j = 0; j < kStages - 2; ++j) apart += (kCoefficients[6][j] - kCoefficients[5][j]) * slope_of(j)[i];
+      apart += kCoefficients[6][5] * slope_of(5)[i];
       const double weight = weigh(i, end_[i]);
       states += weight * weight * apart * apart;
-      const double slope = weight * (slopes_[6][i] - slopes_[5][i]);
+      const double slope = weight * (slope_of(6)[i] - slope_of(5)[i]);
       slopes += slope * slope;
     }
     return states > 0.0 ? std::sqrt(slopes / states) : 0.0;
@@ -112,7 +111,9 @@ class DormandPrince final : public DenseStep {
       701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0,
       69997945.0 / 29380423.0};
 
-  [[nodiscard]] const double* slope_of(int stage) const { return slopes_.data() + static_cast<std::size_t>(stage) * n_; }
+  [[nodiscard]] const double* slope_of(int stage) const {
+    return slopes_.data() + static_cast<std::size_t>(stage) * n_;
+  }
 
   // Σ w_j k_j of component i over the first stages, in their order. Weights are known while compiling, so that zeros
   // cost nothing.
