@@ -9,10 +9,8 @@
 #include <functional>
 #include <numbers>
 
-#include "gudgeon/sim/contact_events.h"
-#include "gudgeon/sim/dormand_prince.h"
-#include "gudgeon/sim/motion_equations.h"
 #include "tests/oracle/mechanisms.h"
+#include "tests/sim/attempted_step.h"
 #include "tests/sim/flying_ball.h"
 
 namespace gudgeon {
@@ -23,43 +21,11 @@ constexpr double kAhead = 45e-3;
 constexpr double kAside = 20e-3;
 constexpr double kFree = 21e-3;  // [m] a corner's centre from the slot's middle when it touches
 
-// One attempted step of a block from its start.
-class BlockStep {
- public:
-  explicit BlockStep(const BodyStart& flight, Vec2 gravity = {}) {
-    Mechanism mechanism = oracle::make_loose_block(flight, kNoStiffness);
-    mechanism.gravity = gravity;
-    const Assembly assembly = assemble(mechanism);
-    system = compile(mechanism, assembly);
-    state_ = make_state(system, assembly);
-  }
-
-  std::optional<ContactChange> find_change(double h) {
-    MotionEquations equations(system, {});
-    ContactEvents events(system.tables);
-    DormandPrince stepper(equations.size());
-    std::vector<double> y(equations.size(), 0.0);
-    std::vector<double> slope(equations.size());
-    std::ranges::copy(state_.q, y.begin());
-    std::ranges::copy(state_.v, y.begin() + static_cast<std::ptrdiff_t>(equations.n_free()));
-    start.resize(system.tables.contacts.size());
-    end.resize(start.size());
-    equations.eval(0.0, y.data(), slope.data());
-    events.find_gaps(equations.workspace, start);
-    stepper.begin(0.0, y, slope);
-    stepper.attempt(h, [&](int, double t, const double* at, double* dydt) { equations.eval(t, at, dydt); });
-    events.find_gaps(equations.workspace, end);
-    Workspace scratch(system.tables);
-    return events.find_first_change(stepper, equations.latches, start, end, scratch);
-  }
-
-  System system;
-  std::vector<GapState> start;
-  std::vector<GapState> end;
-
- private:
-  State state_;
-};
+Mechanism make_flight(const BodyStart& start, Vec2 gravity = {}) {
+  Mechanism mechanism = oracle::make_loose_block(start, kNoStiffness);
+  mechanism.gravity = gravity;
+  return mechanism;
+}
 
 BodyStart fly(Vec2 position, Vec2 velocity, double angle, double angle_rate) {
   BodyStart start;
@@ -79,7 +45,7 @@ double halve(const std::function<double(double)>& f, double end) {
 }
 
 TEST(GuideEvents, GapsAreThoseOfTheCorners) {
-  BlockStep step(fly({0.01, 1e-4}, {0.3, 0.05}, 2e-3, 0.4));
+  Attempt step(make_flight(fly({0.01, 1e-4}, {0.3, 0.05}, 2e-3, 0.4)));
   step.find_change(1e-3);
   ASSERT_EQ(step.start.size(), 4U);
   int k = 0;
@@ -126,19 +92,19 @@ TEST(GuideEvents, OnsetOfATiltedCorner) {
     };
     const double onset = halve(gap, 0.02);
     for (const double h : {1.001 * onset, 0.02}) {
-      const auto change = BlockStep(flight.start).find_change(h);
+      const auto change = Attempt(make_flight(flight.start)).find_change(h);
       ASSERT_TRUE(change) << flight.contact;
       EXPECT_EQ(change->contact, flight.contact);
       EXPECT_NEAR(change->share * h, onset, 1e-12);  // the root-finder's 45 bits
     }
-    EXPECT_FALSE(BlockStep(flight.start).find_change(0.999 * onset));
+    EXPECT_FALSE(Attempt(make_flight(flight.start)).find_change(0.999 * onset));
   }
 }
 
 TEST(GuideEvents, TouchOfBothCornersThatIsOverWithinTheStepIsSeen) {
   for (const double depth : {1e-5, 1e-9}) {
     const double speed = std::sqrt(2.0 * 4.0 * (1e-3 + depth));
-    BlockStep step(fly({0.0, 0.0}, {0.0, speed}, 0.0, 0.0), {0.0, -4.0});
+    Attempt step(make_flight(fly({0.0, 0.0}, {0.0, speed}, 0.0, 0.0), {0.0, -4.0}));
     const double top = speed / 4.0;
     const auto change = step.find_change(1.9 * top);
     ASSERT_LT(step.end[0].penetration, 0.0) << "left again";
@@ -158,19 +124,21 @@ class WornSide : public testing::Test {
     depths[region] = 0.0;
     return depths;
   }
-  static BlockStep slide(double share, std::size_t region) {
-    BlockStep step(fly({0.0, 1e-3 + share * kDepth}, {0.4, 0.0}, 0.0, 0.0));
+  static Mechanism make_slide(double share) {
+    return make_flight(fly({0.0, 1e-3 + share * kDepth}, {0.4, 0.0}, 0.0, 0.0));
+  }
+  static void wear_left(Attempt& step, std::size_t region) {
     std::vector<double> both = make_ridge(region);
     both.resize(2000, kDepth);
     set_surfaces(step.system, 0, both, {});
-    return step;
   }
 };
 
 TEST_F(WornSide, RidgePassedWithinTheStepIsSeen) {
   // 40 regions a step; eighths of it would see nothing of a ridge two regions wide. The front corner stands at 545.
   for (const std::size_t region : {553U, 571U, 584U}) {
-    BlockStep step = slide(0.5, region);
+    Attempt step(make_slide(0.5));
+    wear_left(step, region);
     const auto change = step.find_change(0.1);
     ASSERT_LT(step.start[1].penetration, 0.0);
     ASSERT_LT(step.end[1].penetration, 0.0);
@@ -184,10 +152,14 @@ TEST_F(WornSide, RidgePassedWithinTheStepIsSeen) {
   }
 }
 
-TEST_F(WornSide, RidgeThatIsTooLowIsNotTouched) { EXPECT_FALSE(slide(0.33, 571).find_change(0.1)); }
+TEST_F(WornSide, RidgeThatIsTooLowIsNotTouched) {
+  Attempt step(make_slide(0.33));
+  wear_left(step, 571);
+  EXPECT_FALSE(step.find_change(0.1));
+}
 
 TEST_F(WornSide, RidgeOfTheOtherSideIsNotTouched) {
-  BlockStep step = slide(0.5, 571);
+  Attempt step(make_slide(0.5));
   std::vector<double> both(1000, kDepth);
   const std::vector<double> ridge = make_ridge(571);
   both.insert(both.end(), ridge.begin(), ridge.end());

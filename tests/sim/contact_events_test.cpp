@@ -10,8 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gudgeon/sim/dormand_prince.h"
-#include "gudgeon/sim/motion_equations.h"
+#include "tests/sim/attempted_step.h"
 #include "tests/sim/flying_ball.h"
 
 namespace gudgeon {
@@ -19,41 +18,6 @@ namespace {
 
 // Dense output is exact for parabolas, so that times are good to the root-finder's 45 bits and some rounding.
 constexpr double kTimeTolerance = 1e-12;
-
-// One attempted step of a mechanism from its start, and what the events make of it.
-class Attempt {
- public:
-  explicit Attempt(const Mechanism& mechanism)
-      : assembly(assemble(mechanism)), system(compile(mechanism, assembly)), equations(system, {}) {}
-
-  Attempt(const Attempt&) = delete;  // the equations hold on to the system
-  Attempt& operator=(const Attempt&) = delete;
-
-  std::optional<ContactChange> find_change(double h) {
-    ContactEvents events(system.tables);
-    DormandPrince stepper(equations.n_states(), kEnergyIntegrals);
-    const State state = make_state(system, assembly);
-    std::vector<double> y(equations.size(), 0.0);
-    std::vector<double> slope(equations.size());
-    std::ranges::copy(state.q, y.begin());
-    std::ranges::copy(state.v, y.begin() + static_cast<std::ptrdiff_t>(equations.n_free()));
-    start.resize(system.tables.contacts.size());
-    end.resize(start.size());
-    equations.eval(0.0, y.data(), slope.data());
-    events.find_gaps(equations.workspace, start);
-    stepper.begin(0.0, y, slope);
-    stepper.attempt(h, [&](int, double t, const double* at, double* dydt) { equations.eval(t, at, dydt); });
-    events.find_gaps(equations.workspace, end);
-    Workspace scratch(system.tables);
-    return events.find_first_change(stepper, equations.latches, start, end, scratch);
-  }
-
-  Assembly assembly;
-  System system;
-  MotionEquations equations;
-  std::vector<GapState> start;
-  std::vector<GapState> end;
-};
 
 // Straight up, against gravity: the gap is widest when the ball is highest, and the centre then at `height`.
 Attempt throw_up(double height, double gravity = 4.0) {

@@ -88,6 +88,28 @@ TEST(GuideRun, EveryStageRunsOnWhatTheOneBeforeLeft) {
   }
 }
 
+// Each corner has a bristle of its own; both integrators, stiff and explicit, keep the ledger.
+TEST(GuideRun, BristlesOfCornersKeepTheLedger) {
+  Mechanism mechanism = make_loose_slider();
+  Lugre friction;
+  friction.static_coefficient = 0.15;
+  friction.kinetic_coefficient = 0.1;
+  std::get<PrismaticClearance>(mechanism.joints[find_joint(mechanism, "guide")].kind).contact.friction = friction;
+  for (const Integrator integrator : {Integrator::explicit_pair, Integrator::stiff}) {
+    Study study = make_slot_study();
+    study.cycle_time = 0.05;
+    study.wear_stages = 0;
+    study.compare_ideal = false;
+    study.integrator = integrator;
+    const StageRecord stage = run_study(mechanism, study).at(0);
+    ASSERT_EQ(stage.status, StageStatus::finished) << stage.message;
+    EXPECT_GE(stage.solver.onsets, 4);
+    EXPECT_GT(stage.ledger.friction, 0.0);
+    EXPECT_NEAR(stage.ledger.residual() / stage.ledger.exchanged, 0.0, 1e-6);
+    EXPECT_NE(find_values(stage, "guide.bristle"), nullptr);
+  }
+}
+
 TEST(GuideRun, EventsTellWhichCornerMetItsSideAndWhere) {
   Study study = make_slot_study();
   study.wear_stages = 0;

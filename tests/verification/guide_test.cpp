@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -16,6 +15,7 @@
 #include "tests/oracle/mechanism_parts.h"
 #include "tests/oracle/mechanisms.h"
 #include "tests/verification/book/recorder.h"
+#include "tests/verification/momenta.h"
 
 namespace gudgeon {
 namespace {
@@ -217,20 +217,8 @@ TEST(Guides, LeaveAFreePairItsMomentum) {
   const Mechanism mechanism = oracle::make_free_pair_in_slot();
   const StageRecord stage = run_last(mechanism, make_guide_study(0.3, 1, 1e-9));
   EXPECT_GE(stage.solver.onsets, 1);
-  const auto find_momenta = [&](std::size_t k) {
-    std::array<double, 3> momenta{};
-    for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
-      const Body& body = mechanism.bodies[b];
-      const auto at = [&](const char* ending) { return find_values(stage, body.name + ending)->at(k); };
-      const Vec2 momentum = body.mass * Vec2{at(".x_velocity"), at(".y_velocity")};
-      momenta[0] += momentum.x;
-      momenta[1] += momentum.y;
-      momenta[2] += cross({at(".x"), at(".y")}, momentum) + body.inertia * at(".angle_rate");
-    }
-    return momenta;
-  };
-  const auto before = find_momenta(0);
-  const auto after = find_momenta(stage.time.size() - 1);
+  const auto before = find_momenta(mechanism, stage, 0);
+  const auto after = find_momenta(mechanism, stage, stage.time.size() - 1);
   recorder.verify("momentum along x [N s]", before[0], after[0], 1e-7);
   recorder.verify("momentum along y [N s]", before[1], after[1], 1e-7);
   recorder.verify("angular momentum [N m s]", before[2], after[2], 1e-7);

@@ -18,6 +18,7 @@
 #include "tests/oracle/mechanisms.h"
 #include "tests/oracle/textbook.h"
 #include "tests/verification/book/recorder.h"
+#include "tests/verification/momenta.h"
 
 namespace gudgeon {
 namespace {
@@ -184,20 +185,8 @@ TEST(Loads, LeaveALoosePairItsMomentum) {
   mechanism.loads.push_back({"rope", Spring{{"left", "b"}, {"right", "b"}, 60.0, 0.4, 0.3}});
   mechanism.loads.push_back({"twist", VariableTorque{"right", "left", Expression{"0.3 * sin(7 * t)", {}}}});
   const StageRecord stage = run_for(mechanism, 2.0, 50, 1e-11);
-  const auto find_momenta = [&](std::size_t k) {
-    std::array<double, 3> momenta{};
-    for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
-      const Body& body = mechanism.bodies[b];
-      const auto at = [&](const char* ending) { return find_values(stage, body.name + ending)->at(k); };
-      const Vec2 momentum = body.mass * Vec2{at(".x_velocity"), at(".y_velocity")};
-      momenta[0] += momentum.x;
-      momenta[1] += momentum.y;
-      momenta[2] += cross({at(".x"), at(".y")}, momentum) + body.inertia * at(".angle_rate");
-    }
-    return momenta;
-  };
-  const auto before = find_momenta(0);
-  const auto after = find_momenta(stage.time.size() - 1);
+  const auto before = find_momenta(mechanism, stage, 0);
+  const auto after = find_momenta(mechanism, stage, stage.time.size() - 1);
   recorder.verify("momentum along x after 2 s [N s]", before[0], after[0], kClose);
   recorder.verify("momentum along y [N s]", before[1], after[1], kClose);
   recorder.verify("angular momentum [N m s]", before[2], after[2], kClose);

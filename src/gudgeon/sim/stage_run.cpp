@@ -145,7 +145,7 @@ void StageRun::stop_outside_slots() {
     record_.status = StageStatus::failed;
     record_.message = fmt::format(
         "E-NUM-005: stopped at t = {:.9g} s (cycle {}): joint '{}': its journal left its bearing, {:.4g} mm "
-        "past the end of the slot",
+        "past the end of the slot; make its bearing_length longer, or its motion shorter",
         motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1,
         system_.mechanism.joints[contact.joint].name, 1e3 * motion_.gaps()[k].overrun);
     return;
