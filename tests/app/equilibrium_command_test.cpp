@@ -42,6 +42,15 @@ TEST(EquilibriumCommand, NeedsNoStudy) {
   EXPECT_THAT(upright.out, HasSubstr("unstable in mode 1"));
 }
 
+TEST(EquilibriumCommand, ListsAll) {
+  const TemporaryFolder folder;
+  folder.write("bar.toml", kBar);
+  const Outcome outcome = run_program(folder, {"equilibrium", "bar.toml", "--all"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Equilibrium 1 of 2: stable"));
+  EXPECT_THAT(outcome.out, HasSubstr("Equilibrium 2 of 2: unstable in mode 1"));
+}
+
 TEST(EquilibriumCommand, NoEquilibriumIsANumericalError) {
   const TemporaryFolder folder;
   folder.write("bar.toml", std::string(kBar) + "[loads.motor]\nbody = \"bar\"\ntorque = \"30 N m\"\n");

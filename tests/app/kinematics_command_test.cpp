@@ -79,6 +79,39 @@ TEST(KinematicsCommand, NamesTheClearanceJointsThatItTakesAsIdeal) {
               HasSubstr("The clearance joint B is taken as ideal.\n"));
 }
 
+TEST(KinematicsCommand, SaysWhereForcesAreShared) {
+  const TemporaryFolder folder;
+  folder.write("table.toml", R"(
+name = "table"
+gravity = [0, -9.81]
+[bodies.frame]
+points = { L = [0, 0], R = [1, 0] }
+[bodies.table]
+mass = 1
+inertia = 1
+points = { L = [0, 0], R = [1, 0] }
+[joints.left]
+type = "prismatic"
+between = ["frame.L", "table.L"]
+direction = "90 deg"
+[joints.right]
+type = "prismatic"
+between = ["frame.R", "table.R"]
+direction = "90 deg"
+[drivers.lift]
+slide = "left"
+speed = "1 m/s"
+[study]
+cycle_time = 1
+)");
+  for (const char* command : {"kinematics", "equilibrium"}) {
+    const Outcome outcome = run_program(folder, {command, "table.toml"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("2 redundant constraints carry nothing here: the joint forces are one of many"));
+    EXPECT_THAT(outcome.out, ContainsRegex("lift[a-z.]* +9.810 N"));
+  }
+}
+
 TEST(KinematicsCommand, CountsMustMakeSense) {
   const TemporaryFolder folder;
   const Outcome none = run_program(folder, {"kinematics", kFourBar, "--samples", "0"});

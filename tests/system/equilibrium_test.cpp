@@ -164,6 +164,29 @@ TEST(Equilibrium, StrutBucklesAtItsCriticalForce) {
   EXPECT_NEAR(angle / std::sin(angle), 140.0 * 0.5 / (2.0 * 30.0), 1e-12);
 }
 
+TEST(Equilibrium, AllOfABucklingStrutAreFound) {
+  // Straight, and bent to either side: the bent ones have less energy, and the same.
+  const std::vector<Equilibrium> found = find_equilibria(make_strut(140.0, 0.05));
+  ASSERT_GE(found.size(), 3u);
+  const double angle = std::abs(found[0].poses[1].angle);
+  EXPECT_NEAR(angle / std::sin(angle), 140.0 * 0.5 / (2.0 * 30.0), 1e-12);
+  EXPECT_NEAR(found[1].poses[1].angle, -found[0].poses[1].angle, 1e-12);
+  EXPECT_TRUE(found[0].is_stable() && found[1].is_stable());
+  EXPECT_NEAR(std::remainder(found[2].poses[1].angle, kPi), 0.0, 1e-12);
+  EXPECT_FALSE(found[2].is_stable());
+}
+
+TEST(Equilibrium, AllOfAPendulumAreTwoAndANeutralBarHasOne) {
+  const std::vector<Equilibrium> found = find_equilibria(make_pendulum(0.3));
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_TRUE(found[0].is_stable());
+  EXPECT_NEAR(found[1].potential_energy, 2.0 * kFreeFall * 0.5, 1e-12);
+  EXPECT_FALSE(found[1].is_stable());
+  Mechanism weightless = make_pendulum(0.4);
+  weightless.gravity = {};
+  EXPECT_EQ(find_equilibria(weightless).size(), 1u);
+}
+
 TEST(Equilibrium, BlockHangsOnItsSpring) {
   // x = m g/k below the free length; ω² = k/m with damping ratio d/(2 √(k m)).
   Mechanism mechanism = oracle::make_empty("scale", {0.0, -kFreeFall}, {{"hook", {0.0, 0.0}}});

@@ -26,6 +26,7 @@ constexpr double kLeastArm = 1e-3;  // [m] moments of joint forces on a shorter 
 struct EquilibriumOptions {
   ModelOptions model;
   std::string case_name;
+  bool all = false;
 };
 
 /// What is only rounding beside the largest value of its kind is shown as zero.
@@ -88,6 +89,18 @@ std::string describe_mode(const EquilibriumMode& mode) {
   return fmt::format("dies e-fold in {}", format_engineering(-1.0 / mode.growth_rate, "s"));
 }
 
+/// "stable", "neutral in mode 1", "unstable in mode 2", "held".
+std::string name_stability(const Equilibrium& found) {
+  if (found.modes.empty()) return "held";
+  std::string verdict = "stable";
+  for (const auto& [kind, word] :
+       {std::pair{EquilibriumMode::Kind::neutral, "neutral"}, std::pair{EquilibriumMode::Kind::unstable, "unstable"}}) {
+    const auto first = std::ranges::find(found.modes, kind, &EquilibriumMode::kind);
+    if (first != found.modes.end()) verdict = fmt::format("{} in mode {}", word, first - found.modes.begin() + 1);
+  }
+  return verdict;
+}
+
 std::string render_modes(const Equilibrium& found, bool color) {
   if (found.modes.empty()) return "\nNo degree of freedom is left: the drivers hold it.\n";
   Table table({{"mode"}, {"moves most"}, {"frequency", Alignment::right}, {"damping ratio", Alignment::right}, {""}});
@@ -96,13 +109,7 @@ std::string render_modes(const Equilibrium& found, bool color) {
     table.add_row({fmt::format("{}", k + 1), mode.most_moved, fmt::format("{:.6g} Hz", mode.frequency),
                    fmt::format("{:.4g}", mode.damping_ratio), describe_mode(mode)});
   }
-  std::string verdict = "stable";
-  for (const auto& [kind, word] :
-       {std::pair{EquilibriumMode::Kind::neutral, "neutral"}, std::pair{EquilibriumMode::Kind::unstable, "unstable"}}) {
-    const auto first = std::ranges::find(found.modes, kind, &EquilibriumMode::kind);
-    if (first != found.modes.end()) verdict = fmt::format("{} in mode {}", word, first - found.modes.begin() + 1);
-  }
-  return render_title(fmt::format("Small motions: {}", verdict), color) + table.render(color);
+  return render_title("Small motions: " + name_stability(found), color) + table.render(color);
 }
 
 bool has_variable_loads(const Mechanism& mechanism) {
@@ -111,16 +118,31 @@ bool has_variable_loads(const Mechanism& mechanism) {
   });
 }
 
+std::string render_found(const Equilibrium& found, bool color) {
+  return render_pose(found, color) + render_forces(found, color) + render_modes(found, color) +
+         fmt::format("\nPotential energy: {}\n", format_engineering(found.potential_energy, "J"));
+}
+
 ExitCode run_equilibrium(const EquilibriumOptions& options) {
   const ModelFile model = read_case(options.model, options.case_name);
   require_sound_mechanism(model);
-  const Equilibrium found = with_source(model, [&] { return find_equilibrium(model.mechanism); });
+  const std::vector<Equilibrium> found = with_source(model, [&] {
+    return options.all ? find_equilibria(model.mechanism) : std::vector<Equilibrium>{find_equilibrium(model.mechanism)};
+  });
   const bool color = find_color_wanted();
-  write_stdout(render_model_title(model) + name_closed_joints(model.mechanism));
+  write_stdout(render_model_title(model) + name_closed_joints(model.mechanism) + warn_redundancy(model.mechanism));
   if (has_variable_loads(model.mechanism)) write_stdout("Loads that vary are taken as they are at t = 0, at rest.\n");
-  write_stdout(fmt::format("At rest, {} step{} from the start.\n", found.iterations, found.iterations == 1 ? "" : "s"));
-  write_stdout(render_pose(found, color) + render_forces(found, color) + render_modes(found, color));
-  write_stdout(fmt::format("\nPotential energy: {}\n", format_engineering(found.potential_energy, "J")));
+  if (!options.all) {
+    const int n = found.front().iterations;
+    write_stdout(fmt::format("At rest, {} step{} from the start.\n", n, n == 1 ? "" : "s"));
+  }
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (options.all) {
+      const std::string title = fmt::format("Equilibrium {} of {}: {}", k + 1, found.size(), name_stability(found[k]));
+      write_stdout(render_title(title, color));
+    }
+    write_stdout(render_found(found[k], color));
+  }
   return ExitCode::done;
 }
 
@@ -132,6 +154,7 @@ void add_equilibrium_command(CLI::App& program, Action& action) {
       "equilibrium", "Where the mechanism stays at rest, what holds it there, natural frequencies and stability");
   add_model_options(*command, options->model);
   add_case_option(*command, options->case_name);
+  command->add_flag("--all", options->all, "Walk one turn from the start and list every equilibrium met");
   command->footer("\nExample:\n  gudgeon equilibrium press.toml --set gravity=\"[0, -9.81]\"\n");
   command->callback([options, &action] { action = [options] { return run_equilibrium(*options); }; });
 }

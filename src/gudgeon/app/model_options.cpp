@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "gudgeon/app/command_line.h"
+#include "gudgeon/system/mobility.h"
 
 namespace gudgeon {
 namespace {
@@ -66,6 +67,14 @@ std::string name_closed_joints(const Mechanism& mechanism) {
   const bool one = names.size() == 1;
   return fmt::format("The clearance joint{} {} {} taken as ideal.\n", one ? "" : "s", join_names(names),
                      one ? "is" : "are");
+}
+
+std::string warn_redundancy(const Mechanism& mechanism) {
+  const int n_redundant = find_mobility(make_ideal(mechanism)).n_redundant_rows;
+  if (n_redundant == 0) return {};
+  return fmt::format(
+      "{} redundant constraint{} nothing here: the joint forces are one of many ways to share the load.\n", n_redundant,
+      n_redundant == 1 ? " carries" : "s carry");
 }
 
 void reject(const ModelError& error, const ModelFile& model) {

@@ -8,13 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/system/body_motion.h"
 #include "gudgeon/system/dynamics.h"
 #include "gudgeon/system/equilibrium_modes.h"
+#include "gudgeon/system/held_mechanism.h"
 #include "gudgeon/system/poses.h"
-#include "gudgeon/system/slide_motion.h"
 
 namespace gudgeon {
 
@@ -35,35 +36,30 @@ constexpr double kLongestStep = 0.3;
 // Central differences for Newton's matrix: truncation h² and rounding 1e-16/h, both at 1e-10.
 constexpr double kSlopeStep = 1e-5;
 constexpr int kRelaxationSteps = 4000;
+// [rad, shares of the size] The first move of a mechanism that is let go, and the longest one: the chart bends little.
+constexpr double kFirstMove = 0.02;
+constexpr double kLongestMove = 0.1;
+// [rad, shares of the size] A walk takes one turn in steps from which Newton's method reaches what lies between.
+constexpr double kWalkStep = 0.3;
+constexpr int kWalkSteps = 21;
+// Less than this share of the direction along which a walk came is no way on.
+constexpr double kStraightOn = 0.1;
+// Positions [rad, shares of the size] and energies this near to each other are those of one equilibrium.
+constexpr double kAlike = 1e-6;
 // Damped motion has done its part when this share of the acceleration is left.
 constexpr double kRelaxed = 1e-3;
 
-/// Ideal joints, no start rates, every driver held where it is at t = 0.
-Mechanism hold_at_rest(const Mechanism& mechanism) {
-  Mechanism held = make_ideal(mechanism);
-  const std::vector<BodyPose> poses = assemble(held).poses;
-  std::vector<BodyMotion> motions;
-  for (std::size_t b = 0; b < poses.size(); ++b) {
-    BodyMotion motion;
-    motion.position = poses[b].find_point(held.bodies[b].center_of_mass);
-    motion.angle = poses[b].angle;
-    motions.push_back(motion);
+bool has_neutral_mode(const Equilibrium& equilibrium) {
+  return std::ranges::find(equilibrium.modes, EquilibriumMode::Kind::neutral, &EquilibriumMode::kind) !=
+         equilibrium.modes.end();
+}
+
+bool are_alike(const std::vector<BodyPose>& one, const std::vector<BodyPose>& other, double size) {
+  for (std::size_t b = 0; b < one.size(); ++b) {
+    if (norm(one[b].position - other[b].position) > kAlike * size) return false;
+    if (std::abs(std::remainder(one[b].angle - other[b].angle, 2.0 * std::numbers::pi)) > kAlike) return false;
   }
-  for (Driver& driver : held.drivers) {
-    if (const auto* angle = std::get_if<DrivenAngle>(&driver.target)) {
-      driver.start = poses[find_body(held, angle->body)].angle - poses[find_body(held, angle->against)].angle;
-    } else {
-      const int joint = find_joint(held, std::get<DrivenSlide>(driver.target).joint);
-      driver.start = find_slide_motion(held, held.joints[joint], motions).displacement;
-    }
-    driver.speed = 0.0;
-    driver.motion = std::monostate{};
-  }
-  for (Body& body : held.bodies) body.start.angle_rate.reset(), body.start.velocity.reset();
-  for (Joint& joint : held.joints) {
-    if (auto* slide = std::get_if<Prismatic>(&joint.kind)) slide->start_speed.reset();
-  }
-  return held;
+  return true;
 }
 
 class EquilibriumFinder {
@@ -75,13 +71,53 @@ class EquilibriumFinder {
   }
 
   Equilibrium find() {
-    bool found = improve();
-    if (!found && relax()) found = improve();
-    if (!found) throw_not_found();
+    if (!settle()) throw_not_found();
     return describe();
   }
 
+  std::vector<Equilibrium> find_all() {
+    const MotionChart start(system_, q_);
+    const VectorXd q = q_;
+    if (settle()) add_new();
+    for (Index k = 0; k < start.size(); ++k) {
+      for (const double sign : {1.0, -1.0}) walk(q, sign * start.basis().col(k));
+    }
+    if (found_.empty()) throw_not_found();
+    std::ranges::stable_sort(found_, {}, &Equilibrium::potential_energy);
+    return std::move(found_);
+  }
+
  private:
+  bool settle() { return improve() || (relax() && improve()); }
+
+  // Goes on in a direction of x as far as the loops let it, and looks for an equilibrium from every place.
+  void walk(VectorXd q, VectorXd direction) {
+    for (int k = 0; k < kWalkSteps; ++k) {
+      MotionChart chart(system_, q);
+      VectorXd along = chart.basis().transpose() * direction;
+      if (!(along.norm() > kStraightOn)) return;
+      along.normalize();
+      direction = chart.basis() * along;
+      if (!chart.move_to(kWalkStep * along)) return;
+      q = chart.q();
+      q_ = q;
+      iterations_ = 0;
+      if (improve()) add_new();
+    }
+  }
+
+  void add_new() {
+    Equilibrium one = describe();
+    const double size = find_longest_arm(held_);
+    const bool known = std::ranges::any_of(found_, [&](const Equilibrium& other) {
+      const double energy = std::max(std::abs(one.potential_energy), std::abs(other.potential_energy));
+      if (std::abs(one.potential_energy - other.potential_energy) > kAlike * energy) return false;
+      const bool rest_anywhere = has_neutral_mode(one) && has_neutral_mode(other);
+      return rest_anywhere || are_alike(one.poses, other.poses, size);
+    });
+    if (!known) found_.push_back(std::move(one));
+  }
+
   // Newton's method with steps that shrink until the acceleration does.
   bool improve() {
     bool balanced = false;
@@ -165,14 +201,15 @@ class EquilibriumFinder {
       MotionChart chart(system_, q_);
       const VectorXd force = find_force(chart, VectorXd::Zero(chart.size()));
       if (!force.allFinite() || force.size() == 0) return false;
-      if (k == 0) first = force.norm(), step = std::sqrt(0.02 / first), rate = VectorXd::Zero(chart.basis().rows());
+      if (k == 0)
+        first = force.norm(), step = std::sqrt(kFirstMove / first), rate = VectorXd::Zero(chart.basis().rows());
       if (force.norm() <= kRelaxed * first) return true;
       VectorXd along = chart.basis().transpose() * rate;
       if (along.dot(force) < 0.0) along.setZero();
       along += step * force;
       VectorXd move = step * along;
       const double longest = move.cwiseAbs().maxCoeff();
-      if (longest > 0.1) move *= 0.1 / longest;
+      if (longest > kLongestMove) move *= kLongestMove / longest;
       if (!chart.move_to(move)) return false;
       rate = chart.basis() * along;
       q_ = chart.q();
@@ -223,10 +260,13 @@ class EquilibriumFinder {
   double residual_ = 0.0;
   std::string restless_;  // what accelerates most, in words
   int iterations_ = 0;
+  std::vector<Equilibrium> found_;
 };
 
 }  // namespace
 
 Equilibrium find_equilibrium(const Mechanism& mechanism) { return EquilibriumFinder(mechanism).find(); }
+
+std::vector<Equilibrium> find_equilibria(const Mechanism& mechanism) { return EquilibriumFinder(mechanism).find_all(); }
 
 }  // namespace gudgeon

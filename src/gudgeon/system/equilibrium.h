@@ -39,4 +39,9 @@ struct Equilibrium {
 /// t = 0. Throws ModelError as assemble() does, NumericalError (E-NUM-011) when none is found.
 Equilibrium find_equilibrium(const Mechanism& mechanism);
 
+/// That equilibrium and the others that Newton's method finds from a walk of one turn each way along every degree of
+/// freedom, those of least potential energy first; of neighbours that are alike, as where nothing brings a body back,
+/// one. With several degrees of freedom there may be more. Throws as find_equilibrium() does, when there is none.
+std::vector<Equilibrium> find_equilibria(const Mechanism& mechanism);
+
 }  // namespace gudgeon
