@@ -99,16 +99,6 @@ TEST(Integrators, AutomaticIsExplicitWithoutBristles) {
   EXPECT_EQ(automatic.solver.evaluations, with_explicit.solver.evaluations);
 }
 
-// Where bristles hold steps short the automatic choice costs less than the explicit pair alone, and nowhere much more.
-TEST(Integrators, AutomaticPays) {
-  const auto count = [](Integrator integrator, double damping) {
-    return static_cast<double>(run_for(make_bristled_press(damping), 0.02, integrator).solver.evaluations);
-  };
-  for (const double damping : {0.0, 100.0}) {
-    EXPECT_LT(count(Integrator::automatic, damping), 1.1 * count(Integrator::explicit_pair, damping)) << damping;
-  }
-}
-
 TEST(Integrators, StiffKeepsTheLedgerAsWellAsTheExplicitPair) {
   const Mechanism press = oracle::make_nine_bar();
   const auto residual = [&](Integrator integrator) {

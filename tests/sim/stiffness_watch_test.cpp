@@ -11,12 +11,12 @@
 namespace gudgeon {
 namespace {
 
-constexpr double kStep = 1e-4;  // [s], six evaluations each
+constexpr double kHeldStep = 1e-4;  // [s], six evaluations each
 
 // Stiff explicit steps until the stiff integrator is called for.
 int count_stiff_steps(StiffnessWatch& watch) {
   int n = 1;
-  while (!watch.note_explicit_step(kStep, 3.0)) ++n;
+  while (!watch.note_explicit_step(kHeldStep, 3.0)) ++n;
   return n;
 }
 
@@ -27,20 +27,20 @@ TEST(StiffnessWatch, CallsAfterStiffStepsInARow) {
 
 TEST(StiffnessWatch, AccurateStepsVoidTheStiffOnesBefore) {
   StiffnessWatch watch;
-  for (int k = 0; k < 14; ++k) EXPECT_FALSE(watch.note_explicit_step(kStep, 3.0));
-  for (int k = 0; k < 6; ++k) EXPECT_FALSE(watch.note_explicit_step(kStep, 0.5));
+  for (int k = 0; k < 14; ++k) EXPECT_FALSE(watch.note_explicit_step(kHeldStep, 3.0));
+  for (int k = 0; k < 6; ++k) EXPECT_FALSE(watch.note_explicit_step(kHeldStep, 0.5));
   EXPECT_EQ(count_stiff_steps(watch), 15);
   // Five do not.
-  for (int k = 0; k < 14; ++k) EXPECT_FALSE(watch.note_explicit_step(kStep, 3.0));
-  for (int k = 0; k < 5; ++k) EXPECT_FALSE(watch.note_explicit_step(kStep, 0.5));
-  EXPECT_TRUE(watch.note_explicit_step(kStep, 3.0));
+  for (int k = 0; k < 14; ++k) EXPECT_FALSE(watch.note_explicit_step(kHeldStep, 3.0));
+  for (int k = 0; k < 5; ++k) EXPECT_FALSE(watch.note_explicit_step(kHeldStep, 0.5));
+  EXPECT_TRUE(watch.note_explicit_step(kHeldStep, 3.0));
 }
 
 TEST(StiffnessWatch, StaysWithWhatPays) {
   StiffnessWatch watch;
   count_stiff_steps(watch);
   // Four evaluations that count as eight, over a hundred explicit steps.
-  for (int k = 0; k < 1000; ++k) EXPECT_FALSE(watch.note_stiff_step(100.0 * kStep, 4)) << k;
+  for (int k = 0; k < 1000; ++k) EXPECT_FALSE(watch.note_stiff_step(100.0 * kHeldStep, 4)) << k;
   watch.forget();
   EXPECT_EQ(count_stiff_steps(watch), 15);
 }
@@ -50,7 +50,7 @@ TEST(StiffnessWatch, GivesUpWhatDoesNotPayAndWaitsLonger) {
   int waited = count_stiff_steps(watch);
   for (int round = 0; round < 12; ++round) {
     int n = 1;
-    while (!watch.note_stiff_step(0.1 * kStep, 4)) ++n;
+    while (!watch.note_stiff_step(0.1 * kHeldStep, 4)) ++n;
     // It has taken no more than the steps before it, to the next fifty.
     EXPECT_LE(n * 8, 6 * waited + 50 * 8);
     const int now = count_stiff_steps(watch);
@@ -62,11 +62,11 @@ TEST(StiffnessWatch, GivesUpWhatDoesNotPayAndWaitsLonger) {
 TEST(StiffnessWatch, AStintCutShortCountsToo) {
   StiffnessWatch watch;
   count_stiff_steps(watch);
-  watch.note_stiff_step(0.1 * kStep, 4);
+  watch.note_stiff_step(0.1 * kHeldStep, 4);
   watch.forget();
   EXPECT_EQ(count_stiff_steps(watch), 30);
   // One that pays makes up for one that did not.
-  watch.note_stiff_step(100.0 * kStep, 4);
+  watch.note_stiff_step(100.0 * kHeldStep, 4);
   watch.forget();
   EXPECT_EQ(count_stiff_steps(watch), 15);
 }

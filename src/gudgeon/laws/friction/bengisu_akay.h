@@ -11,7 +11,7 @@
 
 namespace gudgeon {
 
-/// |v| <= v_t:  μ(v) = μ_s [1 − (1 − |v|/v_t)²] sgn v
+/// |v| <= v_t:  μ(v) = μ_s [1 − (1 − |v|/v_t)²] sgn v      (Eq. F4)
 /// |v| >  v_t:  μ(v) = [μ_k + (μ_s − μ_k) exp(−ξ (|v| − v_t))] sgn v
 ///
 /// v [m/s] slip speed, μ_s and μ_k [1] static and kinetic coefficient, v_t [m/s] slip speed of the peak, ξ [s/m] decay

@@ -11,7 +11,7 @@
 
 namespace gudgeon {
 
-/// μ(v) = μ_k tanh(4 x) + (μ_s − μ_k) x/(x²/4 + 3/4)² + σ₂ v,  x = v/v_t
+/// μ(v) = μ_k tanh(4 x) + (μ_s − μ_k) x/(x²/4 + 3/4)² + σ₂ v,  x = v/v_t      (Eq. F6)
 ///
 /// v [m/s] slip speed, μ_s and μ_k [1] static and kinetic coefficient, v_t [m/s] transition speed, σ₂ [s/m] viscous
 /// coefficient. The second part is greatest at v_t, where it is μ_s − μ_k and the sum without viscous part is 0.07 % of

@@ -12,7 +12,7 @@
 
 namespace gudgeon {
 
-/// μ(v) = μ_k clamp((|v| − v₀)/(v₁ − v₀), 0, 1) sgn v
+/// μ(v) = μ_k clamp((|v| − v₀)/(v₁ − v₀), 0, 1) sgn v      (Eq. F1)
 ///
 /// v [m/s] slip speed, μ_k [1] kinetic coefficient, v₀ [m/s] slip speed up to which nothing rubs, v₁ > v₀ [m/s] slip
 /// speed of full friction. |v| <= v₀: μ = 0, so a contact at rest is not held at all; |v| >= v₁: μ = ±μ_k. Continuous,

@@ -11,7 +11,7 @@
 
 namespace gudgeon {
 
-/// μ(v) = μ_k tanh(v/v_t)
+/// μ(v) = μ_k tanh(v/v_t)      (Eq. F2)
 ///
 /// v [m/s] slip speed, μ_k [1] kinetic coefficient, v_t [m/s] transition speed. v → 0: μ → μ_k v/v_t, so a contact at
 /// rest creeps; |v| ≫ v_t: μ → ±μ_k. Rooney & Deravi 1982 in its tanh form.

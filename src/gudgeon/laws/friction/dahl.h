@@ -11,7 +11,7 @@
 
 namespace gudgeon {
 
-/// ż = v |w|^i sgn w,  w = 1 − (σ₀ z/μ_k) sgn v,      μ = σ₀ z
+/// ż = v |w|^i sgn w,  w = 1 − (σ₀ z/μ_k) sgn v,      μ = σ₀ z      (Eq. F8)
 ///
 /// v [m/s] slip speed, z [m] bristle deflection, μ_k [1] kinetic coefficient, σ₀ [1/m] bristle stiffness per normal
 /// force, i [1] shape exponent: 1 for most materials, above for ductile, below for brittle ones. μ depends on the path

@@ -19,7 +19,7 @@ struct BristleRelaxation {
   double steady_deflection;  ///< z_∞ = v/a = g(v) sgn v/σ₀ [m]
 };
 
-/// ż = v − σ₀ |v| z/g(v),      μ = σ₀ z + σ₁ ż + σ₂ v,      g(v) = μ_k + (μ_s − μ_k) exp(−|v/v_s|^γ)
+/// ż = v − σ₀ |v| z/g(v),      μ = σ₀ z + σ₁ ż + σ₂ v,      g(v) = μ_k + (μ_s − μ_k) exp(−|v/v_s|^γ)      (Eq. F9)
 ///
 /// v [m/s] slip speed, z [m] bristle deflection, μ_s and μ_k [1] static and kinetic coefficient, v_s [m/s] Stribeck
 /// speed, γ [1] decay exponent; per normal force: σ₀ [1/m] bristle stiffness, σ₁ [s/m] bristle damping, σ₂ [s/m]

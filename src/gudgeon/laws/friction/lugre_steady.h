@@ -12,7 +12,7 @@
 
 namespace gudgeon {
 
-/// μ(v) = [μ_k + (μ_s − μ_k) exp(−|v/v_s|^γ)] tanh(v/v_t) + σ₂ v
+/// μ(v) = [μ_k + (μ_s − μ_k) exp(−|v/v_s|^γ)] tanh(v/v_t) + σ₂ v      (Eq. F7)
 ///
 /// v [m/s] slip speed, μ_s and μ_k [1] static and kinetic coefficient, v_s [m/s] Stribeck speed, γ [1] decay exponent,
 /// σ₂ [s/m] viscous coefficient, v_t [m/s] transition speed. In the steady state σ₀ and σ₁ drop out; the sign of v is

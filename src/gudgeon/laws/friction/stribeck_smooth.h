@@ -11,7 +11,7 @@
 
 namespace gudgeon {
 
-/// μ(v) = [μ_k + (μ_s − μ_k)/(1 + (v/v_s)²)] tanh(v/v_t) + σ₂ v
+/// μ(v) = [μ_k + (μ_s − μ_k)/(1 + (v/v_s)²)] tanh(v/v_t) + σ₂ v      (Eq. F5)
 ///
 /// v [m/s] slip speed, μ_s and μ_k [1] static and kinetic coefficient, v_s [m/s] Stribeck speed, at which half of the
 /// static excess is lost, v_t [m/s] transition speed, σ₂ [s/m] viscous coefficient. v → 0: μ → μ_s v/v_t, so a contact

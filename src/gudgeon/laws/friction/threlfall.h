@@ -11,7 +11,7 @@
 
 namespace gudgeon {
 
-/// μ(v) = μ_k (1 − exp(−3 |v|/v_t)) sgn v
+/// μ(v) = μ_k (1 − exp(−3 |v|/v_t)) sgn v      (Eq. F3)
 ///
 /// v [m/s] slip speed, μ_k [1] kinetic coefficient, v_t [m/s] transition speed. v → 0: μ → 3 μ_k v/v_t, so a contact at
 /// rest creeps; |v| = v_t: 95 % of μ_k; |v| ≫ v_t: μ → ±μ_k. Its slope is continuous through zero, its curvature is
