@@ -13,6 +13,7 @@
 #include "bench/hand_written/nine_bar.h"
 #include "bench/paired_rounds.h"
 #include "bench/same_state.h"
+#include "bench/spread_columns.h"
 #include "bench/textbook/maximal_form.h"
 #include "tests/oracle/mechanisms.h"
 
@@ -39,13 +40,11 @@ Contestant make_engine(const EvalCase& at, const SameState& state) {
           0.5 * contact.bristle_scale;
     }
   }
-  return {"gudgeon", [engine](int n) {
-            for (int i = 0; i < n; ++i) {
-              engine->equations.eval(0.0, engine->y.data(), engine->slope.data());
-              benchmark::DoNotOptimize(engine->slope.data());
-              benchmark::ClobberMemory();
-            }
-          }};
+  return make_contestant("gudgeon", [engine] {
+    engine->equations.eval(0.0, engine->y.data(), engine->slope.data());
+    benchmark::DoNotOptimize(engine->slope.data());
+    benchmark::ClobberMemory();
+  });
 }
 
 Contestant make_textbook(const EvalCase& at, const SameState& state, textbook::SaddleSolver::Kind kind) {
@@ -53,13 +52,11 @@ Contestant make_textbook(const EvalCase& at, const SameState& state, textbook::S
   form->latches = state.latches;
   auto y = std::make_shared<std::vector<double>>(form->make_state(state.assembly.poses));
   auto slope = std::make_shared<std::vector<double>>(form->size());
-  return {kind == textbook::SaddleSolver::Kind::dense ? "textbook" : "sparse", [=](int n) {
-            for (int i = 0; i < n; ++i) {
-              form->eval(0.0, y->data(), slope->data());
-              benchmark::DoNotOptimize(slope->data());
-              benchmark::ClobberMemory();
-            }
-          }};
+  return make_contestant(kind == textbook::SaddleSolver::Kind::dense ? "textbook" : "sparse", [=] {
+    form->eval(0.0, y->data(), slope->data());
+    benchmark::DoNotOptimize(slope->data());
+    benchmark::ClobberMemory();
+  });
 }
 
 Contestant make_hand_written(const EvalCase& at, const SameState& state) {
@@ -72,41 +69,26 @@ Contestant make_hand_written(const EvalCase& at, const SameState& state) {
     (*y)[NineBar::kCoordinates + i] = pose.angle_rate;
   }
   auto slope = std::make_shared<std::vector<double>>(y->size());
-  return {"hand_written", [=](int n) {
-            for (int i = 0; i < n; ++i) {
-              press->eval(0.0, y->data(), slope->data());
-              benchmark::DoNotOptimize(slope->data());
-              benchmark::ClobberMemory();
-            }
-          }};
-}
-
-void put_spread(benchmark::State& bench, const std::string& name, const std::optional<Spread>& spread) {
-  const Spread value = spread.value_or(Spread{std::nan(""), std::nan(""), std::nan("")});
-  bench.counters[name] = value.median;
-  bench.counters[name + ".q1"] = value.lower;
-  bench.counters[name + ".q3"] = value.upper;
+  return make_contestant("hand_written", [=] {
+    press->eval(0.0, y->data(), slope->data());
+    benchmark::DoNotOptimize(slope->data());
+    benchmark::ClobberMemory();
+  });
 }
 
 // The same columns for every case: a CSV needs them.
 void put_columns(benchmark::State& bench, const PairedRounds& rounds) {
-  const auto find = [&](const std::string& name) -> std::optional<std::size_t> {
-    for (std::size_t k = 0; k < rounds.size(); ++k) {
-      if (rounds.name(k) == name) return k;
-    }
-    return std::nullopt;
-  };
   for (const char* name : {"gudgeon", "textbook", "sparse", "hand_written"}) {
-    const auto k = find(name);
+    const auto k = rounds.find(name);
     bench.counters[std::string(name) + "_ns"] = k ? kNanoseconds * rounds.find_time(*k).median : std::nan("");
   }
   const auto ratio = [&](std::optional<std::size_t> k, std::optional<std::size_t> base) -> std::optional<Spread> {
     if (!k || !base) return std::nullopt;
     return rounds.find_ratio(*k, *base);
   };
-  put_spread(bench, "textbook/gudgeon", ratio(find("textbook"), 0));
-  put_spread(bench, "sparse/gudgeon", ratio(find("sparse"), 0));
-  put_spread(bench, "gudgeon/hand_written", ratio(0, find("hand_written")));
+  put_spread(bench, "textbook/gudgeon", ratio(rounds.find("textbook"), 0));
+  put_spread(bench, "sparse/gudgeon", ratio(rounds.find("sparse"), 0));
+  put_spread(bench, "gudgeon/hand_written", ratio(0, rounds.find("hand_written")));
 }
 
 void eval(benchmark::State& bench, const EvalCase& at) {

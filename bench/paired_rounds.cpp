@@ -5,20 +5,8 @@
 #include "bench/paired_rounds.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace gudgeon::bench {
-
-namespace {
-
-template <class Work>
-double time_work(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-}  // namespace
 
 Spread find_spread(std::vector<double> values) {
   std::ranges::sort(values);
@@ -37,7 +25,7 @@ PairedRounds::PairedRounds(std::vector<Contestant> contestants, double turn_time
   for (std::size_t k = 0; k < contestants_.size(); ++k) {
     contestants_[k].run(1);
     for (;;) {
-      const double taken = time_work([&] { contestants_[k].run(counts_[k]); });
+      const double taken = contestants_[k].run(counts_[k]);
       if (taken >= 0.5 * turn_time) break;
       counts_[k] *= 2;
     }
@@ -45,7 +33,7 @@ PairedRounds::PairedRounds(std::vector<Contestant> contestants, double turn_time
 }
 
 double PairedRounds::take_turn(std::size_t k) {
-  const double taken = time_work([&] { contestants_[k].run(counts_[k]); });
+  const double taken = contestants_[k].run(counts_[k]);
   times_[k].push_back(taken / counts_[k]);
   return taken;
 }
@@ -54,6 +42,13 @@ double PairedRounds::run() {
   double taken = 0.0;
   for (std::size_t k = 0; k < contestants_.size(); ++k) taken += take_turn(k);
   return taken;
+}
+
+std::optional<std::size_t> PairedRounds::find(std::string_view name) const {
+  for (std::size_t k = 0; k < contestants_.size(); ++k) {
+    if (contestants_[k].name == name) return k;
+  }
+  return std::nullopt;
 }
 
 Spread PairedRounds::find_ratio(std::size_t k, std::size_t base) const {

@@ -2,21 +2,34 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Times contestants in turn, round after round, so that what disturbs a shared machine disturbs all of them alike, and
-// compares them within each round.
+// compares them within each round. Times are processor times.
 #pragma once
 
-#include <benchmark/benchmark.h>
-
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
+
+#include "bench/cpu_clock.h"
 
 namespace gudgeon::bench {
 
 struct Contestant {
   std::string name;
-  std::function<void(int)> run;  ///< does its work so many times
+  std::function<double(int)> run;  ///< does its work so many times; what that took [s]
 };
+
+/// A contestant whose work is nothing but what is to be timed: work() is called again and again.
+template <class Work>
+Contestant make_contestant(std::string name, Work work) {
+  return {std::move(name), [work = std::move(work)](int n) mutable {
+            const double start = read_cpu_clock();
+            for (int i = 0; i < n; ++i) work();
+            return read_cpu_clock() - start;
+          }};
+}
 
 /// Median and quartiles.
 struct Spread {
@@ -37,8 +50,8 @@ class PairedRounds {
   /// One turn of each contestant; returns what it took [s].
   double run();
 
-  [[nodiscard]] std::size_t size() const { return contestants_.size(); }
-  [[nodiscard]] const std::string& name(std::size_t k) const { return contestants_[k].name; }
+  /// The contestant of that name.
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
   /// Time of one piece of work [s].
   [[nodiscard]] Spread find_time(std::size_t k) const { return find_spread(times_[k]); }
   /// Time of contestant k over that of contestant `base`, taken round by round.
