@@ -18,7 +18,7 @@ namespace {
 constexpr double kTightest = 1e-12;
 constexpr double kLoosest = 1e-3;
 constexpr double kRung = 0.31622776601683794;  // half a decade
-constexpr int kRounds = 7;
+constexpr int kRounds = 5;
 constexpr std::array kMethods{"gudgeon",        "gudgeon_stiff", "textbook_pair",
                               "textbook_cvode", "sparse_pair",   "hand_written_pair"};
 

@@ -22,6 +22,7 @@ RunCase make_slider_crank_case(double friction) {
   run.short_horizon = 0.25 * kSliderTurn;
   run.horizon = 20.0 * kSliderTurn;
   run.probes = {{"rod", 2}, {"slider", 0}};
+  run.wanted_error = 1e-5;
   run.wanted_residual = 1e-2;
   return run;
 }
@@ -31,6 +32,7 @@ RunCase make_nine_bar_case() {
   run.short_horizon = 0.05;
   run.horizon = 10.0;
   run.probes = {{"rod_6"}, {"panel_7"}, {"rod_2"}, {"rod_3"}, {"rod_8"}};
+  run.wanted_error = 1e-5;
   run.wanted_residual = 1e-2;
   return run;
 }

@@ -29,7 +29,8 @@ namespace gudgeon::bench {
 namespace {
 
 constexpr std::array kCases{"", "clearance_0_3", "clearance_0_8", "speed_3_pi", "speed_4_pi"};
-constexpr int kStudyRounds = 7;
+// A short run only shows that everything works.
+int count_rounds(int cycles) { return cycles >= 10 ? 7 : 1; }
 
 struct NineBarStudy {
   Mechanism mechanism;
@@ -84,14 +85,14 @@ void run_programme(int cycles, int n_threads) {
       const NineBarStudy at = read_nine_bar(kCases[i], cycles);
       const double begin = read_cpu_clock();
       const auto stages = run_study(at.mechanism, at.study);
-      const double seconds = read_cpu_clock() - begin;
+      const std::string threads = " on " + std::to_string(n_threads);
+      write_row("case_time", name_case(kCases[i]) + threads, read_cpu_clock() - begin, "s");
       if (n_threads > 1) continue;
       double evaluations = 0.0;
       for (const StageRecord& stage : stages) {
         evaluations += static_cast<double>(stage.solver.evaluations);
         if (stage.status != StageStatus::finished) std::fprintf(stderr, "%s: %s\n", kCases[i], stage.message.c_str());
       }
-      write_row("case_time", name_case(kCases[i]), seconds, "s");
       write_row("case_evaluations", name_case(kCases[i]), evaluations, "1");
     }
   };
@@ -157,7 +158,7 @@ void measure_recording(int cycles) {
     contestants.push_back(make_contestant("outputs_" + std::to_string(rate), [at] { run_stage(at); }));
   }
   PairedRounds rounds(std::move(contestants), 0.0);
-  for (int k = 0; k < kStudyRounds; ++k) rounds.run();
+  for (int k = 0; k < count_rounds(cycles); ++k) rounds.run();
   write_rows("stage_time", "integrator", rounds.find_time(0), "s");
   for (const char* name : {"outputs_1", "outputs_500", "outputs_5000"}) {
     write_rows("stage_over_integrator", name, rounds.find_ratio(*rounds.find(name), 0), "1");
@@ -195,7 +196,7 @@ void measure_share(int cycles) {
                                                 static_cast<double>(looks.size());
                                        }}};
   PairedRounds rounds(std::move(contestants), 0.0);
-  for (int k = 0; k < kStudyRounds; ++k) rounds.run();
+  for (int k = 0; k < count_rounds(cycles); ++k) rounds.run();
   write_rows("evaluations_share", "as_given", rounds.find_ratio(1, 0), "1");
   write_row("evaluations_a_step", "as_given", static_cast<double>(evaluations) / static_cast<double>(looks.size()),
             "1");
@@ -210,9 +211,15 @@ void measure_bristles(int cycles) {
       {make_contestant("steady", [&] { run_stage(steady); }), make_contestant("bristles", [&] { run_stage(bristles); }),
        make_contestant("bristles_stiff", [&] { run_stage(stiff); })},
       0.0);
-  for (int k = 0; k < (kStudyRounds + 1) / 2; ++k) rounds.run();
+  for (int k = 0; k < (count_rounds(cycles) + 1) / 2; ++k) rounds.run();
   write_rows("bristles_over_steady", "explicit_pair", rounds.find_ratio(1, 0), "1");
   write_rows("bristles_over_steady", "stiff", rounds.find_ratio(2, 0), "1");
+  for (const auto& [name, at] : {std::pair{"steady", &steady}, {"explicit_pair", &bristles}, {"stiff", &stiff}}) {
+    const StageRecord stage = run_stage(*at);
+    write_row("bristles_evaluations", name, static_cast<double>(stage.solver.evaluations), "1");
+    write_row("bristles_onsets", name, static_cast<double>(stage.solver.onsets), "1");
+    write_row("bristles_energy_residual", name, stage.ledger.residual(), "J");
+  }
 }
 
 void measure_memory(int cycles) {

@@ -59,12 +59,10 @@ function [p, velocity, centripetal, J] = point_of (q, v, body, arm, n)
   centripetal = -v(i+2) ^ 2 * r;
 endfunction
 
-# Lankarani-Nikravesh and the law's friction, both surfaces unworn.
+# Lankarani-Nikravesh and the contact's friction, surfaces unworn. Until a step has been accepted in contact, the
+# speed now stands for the speed at onset.
 function Q = add_contact (Q, q, v, contact)
   global latched onset_speed
-  if (! latched(contact.number))
-    return;
-  endif
   n = numel (Q);
   [pb, vb, ~, Jb] = point_of (q, v, contact.bearing, contact.bearing_arm, n);
   [pj, vj, ~, Jj] = point_of (q, v, contact.journal, contact.journal_arm, n);
@@ -76,7 +74,10 @@ function Q = add_contact (Q, q, v, contact)
   normal = e / norm (e);
   tangent = [-normal(2); normal(1)];
   rate = normal' * (vj - vb);
-  onset = max (onset_speed(contact.number), 1e-3);
+  onset = max (rate, 1e-3);
+  if (latched(contact.number))
+    onset = max (onset_speed(contact.number), 1e-3);
+  endif
   force = max (contact.stiffness * depth ^ 1.5 * (1 + contact.damping * rate / onset), 0);
   lever_j = contact.radius - contact.clearance - depth / 2;
   lever_b = norm (e) + lever_j;

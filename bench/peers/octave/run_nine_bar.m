@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: gudgeon contributors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The nine-bar press of the paper over a twentieth of a cycle from its start with journals in the middle of their
+# The nine-bar press of the paper over a quarter of a cycle from its start with journals in the middle of their
 # bearings: 24 coordinates, 20 rows.
 1;
 side = 0.2546;
@@ -75,4 +75,4 @@ for k = 1:4
   row++;
 endfor
 v = J \ right;
-run_with_events ("nine_bar", model, [q; v], 0.05, 1e-6);
+run_motion ("nine_bar", model, [q; v], 0.25, 1e-6);

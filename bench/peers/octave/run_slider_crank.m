@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: gudgeon contributors
 # SPDX-License-Identifier: Apache-2.0
 #
-# The slider-crank of Flores and Ambrosio, one turn, without friction and with mu = 0.1.
+# The slider-crank of Flores and Ambrosio, two turns, without friction and with mu = 0.1.
 1;
 r = 0.05; l = 0.12; w = 5000 * pi / 30;
 model.mass = [0.3; 0.3; 1e-5; 0.21; 0.21; 2.5e-4; 0.14; 0.14; 1e-4];
@@ -28,7 +28,7 @@ y(9+6) = -r * w / l;
 
 contact.friction = @(slip) 0;
 model.contacts = contact;
-run_with_events ("slider_crank", model, y, 60 / 5000, 1e-6);
+run_motion ("slider_crank", model, y, 2 * 60 / 5000, 1e-6);
 contact.friction = @(slip) 0.1 * tanh (slip / 1e-3);
 model.contacts = contact;
-run_with_events ("slider_crank_friction", model, y, 60 / 5000, 1e-6);
+run_motion ("slider_crank_friction", model, y, 2 * 60 / 5000, 1e-6);
