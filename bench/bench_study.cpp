@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The paper's whole programme and what surrounds the equations in it, as CSV: what,case,value,unit.
-//   bench_study [--cycles N] [programme | recording | share | bristles | memory ...]
+//   bench_study [--cycles N] [programme | integrator | recording | share | bristles | memory ...]
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -15,11 +15,9 @@
 
 int main(int argc, char** argv) {
   using namespace gudgeon::bench;
-  const std::map<std::string, std::function<void(int)>> parts{{"programme", measure_programme},
-                                                              {"recording", measure_recording},
-                                                              {"share", measure_share},
-                                                              {"bristles", measure_bristles},
-                                                              {"memory", measure_memory}};
+  const std::map<std::string, std::function<void(int)>> parts{
+      {"programme", measure_programme}, {"integrator", measure_integrator}, {"recording", measure_recording},
+      {"share", measure_share},         {"bristles", measure_bristles},     {"memory", measure_memory}};
   int cycles = 100;
   std::vector<std::string> wanted;
   for (int k = 1; k < argc; ++k) {

@@ -149,6 +149,14 @@ void measure_programme(int cycles) {
   run_programme(cycles, 2);
 }
 
+void measure_integrator(int cycles) {
+  const NineBarStudy at = read_nine_bar("", cycles);
+  const double start = read_cpu_clock();
+  const long evaluations = run_motion(at, [](const MotionIntegrator&) {});
+  write_row("integrator_time", "as_given", read_cpu_clock() - start, "s");
+  write_row("integrator_evaluations", "as_given", static_cast<double>(evaluations), "1");
+}
+
 void measure_recording(int cycles) {
   NineBarStudy at = read_nine_bar("", (cycles + 9) / 10);
   std::vector<Contestant> contestants{

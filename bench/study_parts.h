@@ -9,6 +9,8 @@ namespace gudgeon::bench {
 /// The five cases of examples/nine_bar/nine_bar.toml with all their stages, on one thread and on two: wall time of the
 /// whole, processor time and evaluations of each case.
 void measure_programme(int cycles);
+/// The integrator of a stage alone, to be looked into with a profiler.
+void measure_integrator(int cycles);
 /// A stage at several output rates against its integrator alone.
 void measure_recording(int cycles);
 /// How much of a run is spent outside evaluations: the same states evaluated again, as often as the run did.
