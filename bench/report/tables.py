@@ -15,14 +15,14 @@ METHODS = {
 }
 
 
-def markdown(header, rows):
-    """A table whose first column is text and the others numbers."""
-    rule = ["---"] + ["---:"] * (len(header) - 1)
+def markdown(header, rows, n_text=1):
+    """A table whose first columns are text and the others numbers."""
+    rule = ["---"] * n_text + ["---:"] * (len(header) - n_text)
     return "\n".join("| " + " | ".join(row) + " |" for row in [header, rule] + rows)
 
 
 def made_table(baselines):
-    return markdown(["baseline", "made with"], [[name, b.made_with] for name, b in baselines.items()])
+    return markdown(["baseline", "made with"], [[name, b.made_with] for name, b in baselines.items()], 2)
 
 
 def eval_table(baselines):
@@ -55,7 +55,7 @@ def run_table(baselines):
                 continue
             rows.append([case_of(row).replace("_", " "), title, f"{number(row, name + '.tolerance'):.1e}",
                          figure(1e3 * number(row, name + "_s")), spread(row, name + "/gudgeon")])
-    return markdown(["case", "method", "tolerance", "ms", "time / gudgeon"], rows)
+    return markdown(["case", "method", "tolerance", "ms", "time / gudgeon"], rows, 2)
 
 
 def octave_table(baselines):
@@ -79,7 +79,7 @@ def study_rows(baselines, *wanted):
 def programme_table(baselines):
     rows = [[row["what"].replace("_", " "), row["case"].replace("_", " "), figure(float(row["value"])), row["unit"]]
             for row in study_rows(baselines, "case_time", "case_evaluations", "programme_wall_time")]
-    return markdown(["what", "case", "value", "unit"], rows)
+    return markdown(["what", "case", "value", "unit"], rows, 2)
 
 
 def surroundings_table(baselines):
@@ -87,7 +87,7 @@ def surroundings_table(baselines):
               "bristles_over_steady", "bristles_evaluations", "bristles_onsets", "bristles_energy_residual")
     rows = [[row["what"].replace("_", " "), row["case"].replace("_", " "), figure(float(row["value"])), row["unit"]]
             for row in study_rows(baselines, *wanted)]
-    return markdown(["what", "case", "value", "unit"], rows)
+    return markdown(["what", "case", "value", "unit"], rows, 2)
 
 
 def memory_table(baselines):
