@@ -8,7 +8,7 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")"
 
 bash setup.sh
 echo "Building into build/"
-bash scripts/build.sh build all -DCMAKE_BUILD_TYPE=Release
+bash scripts/build.sh build all -DCMAKE_BUILD_TYPE=Release -DGUDGEON_BUILD_BENCH=ON
 bash scripts/build.sh build all_verify_interface_header_sets
 echo "Testing"
 ctest --test-dir build --output-on-failure --progress -j2
