@@ -50,7 +50,7 @@ TEST(Restitution, OfEveryDampingFormOverTheRestitutionAskedFor) {
        "the run's tolerance is 1e-11 a step; the rest is onset located within 1e-10 s"});
   for_each_law<AnyDamping>([&]<class Damping>() {
     if constexpr (!std::same_as<Damping, NoDamping>) {
-      for (const double asked : {0.3, 0.5, 0.7, 0.9}) {
+      for (const double asked : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
         using Law = DampedHertz<Damping>;
         const Law law{asked, 1.5};
         recorder.verify(fmt::format("{}, e = {:g} [1]", Law::kName, asked),
@@ -58,6 +58,21 @@ TEST(Restitution, OfEveryDampingFormOverTheRestitutionAskedFor) {
       }
     }
   });
+}
+
+TEST(Restitution, OfTheLawsThatHaveADampingOfTheirOwn) {
+  book::Recorder recorder({"Normal force", "Restitution delivered by anagnostopoulos and bai_zhao",
+                           "the linear damper that is cut off where it would pull; the same root for bai_zhao",
+                           "The same ball under the laws that are no damping form on a Hertzian force.",
+                           "the run's tolerance is 1e-11 a step; the rest is onset located within 1e-10 s"});
+  for (const double asked : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
+    const Anagnostopoulos linear{1e6, 2.0, asked};
+    recorder.verify(fmt::format("anagnostopoulos, e = {:g} [1]", asked), linear.delivered_restitution(),
+                    find_rebound(linear), 1e-7);
+    const BaiZhao hybrid{asked};
+    recorder.verify(fmt::format("bai_zhao, e = {:g} [1]", asked), find_delivered_restitution(hybrid.damping_factor()),
+                    find_rebound(hybrid), 1e-7);
+  }
 }
 
 TEST(Restitution, PublishedTable) {
