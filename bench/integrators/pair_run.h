@@ -17,7 +17,7 @@ class PairRun {
       : equations_(equations),
         longest_(longest_step),
         tolerance_(study, 0, equations.n_states()),
-        formula_(equations.size()),
+        formula_(equations.n_states(), equations.size() - equations.n_states()),
         control_(tolerance_, 1e-3 * longest_step),
         events_(equations),
         y_(equations.size()),
@@ -75,7 +75,7 @@ class PairRun {
     control_.note_step(h);
     time_ = end - time_ - h <= 0.0 ? end : time_ + h;
     y_ = formula_.end();
-    slope_ = formula_.end_slope();
+    std::ranges::copy(formula_.end_slope(), slope_.begin());
     events_.accept();
     if (change) turn(change->contact);
     return true;

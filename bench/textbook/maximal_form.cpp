@@ -47,7 +47,7 @@ void MaximalForm::eval(double t, const double* y, double* slope) {
 void MaximalForm::find_gaps(double /*t*/, const double* y, std::span<GapWatch> gaps) {
   move_bodies(y);
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const RevoluteGap gap = find_revolute_gap(pairs_[k].contact.surfaces, find_relative_motion(pairs_[k]));
+    const ContactGap gap = find_gap(pairs_[k].contact.surfaces, find_relative_motion(pairs_[k]));
     gaps[k] = {gap.penetration, gap.penetration_rate};
   }
 }

@@ -43,7 +43,7 @@ void expect_same_slider(double friction, bool in_contact) {
     EXPECT_NEAR(slope[3], engine.slope[3 - rod.turn], kSliderTolerance * scale);
     std::array<textbook::GapWatch, 1> gaps;
     by_hand.find_gaps(0.0, y.data(), gaps);
-    const RevoluteGap& gap = engine.equations.workspace.contact_forces[0].gap;
+    const ContactGap& gap = engine.equations.workspace.contact_forces[0].gap;
     EXPECT_NEAR(gaps[0].penetration, gap.penetration, 1e-15);
     EXPECT_NEAR(gaps[0].penetration_rate, gap.penetration_rate, 1e-10);
   }
