@@ -131,7 +131,6 @@ class TableCompiler {
       }
     }
     for (const auto& [key, products] : kinetic_.fields) {
-      if (key.turn == counts.frame_turn() && key.slide == counts.unit_slide()) continue;  // nothing can move there
       tables_.fields.push_back({key.turn, key.slide, products.dot, products.cross, tables_.find_turn_index(key.turn),
                                 tables_.find_slide_index(key.slide)});
     }
