@@ -176,6 +176,17 @@ TEST(Equilibrium, AllOfABucklingStrutAreFound) {
   EXPECT_FALSE(found[2].is_stable());
 }
 
+TEST(Equilibrium, WholeTurnsAreNotTold) {
+  // A constant torque leaves two angles, and its potential differs from turn to turn.
+  Mechanism mechanism = make_pendulum(0.3);
+  mechanism.loads.push_back({"motor", ConstantTorque{"bar", 4.0}});
+  const std::vector<Equilibrium> found = find_equilibria(mechanism);
+  ASSERT_EQ(found.size(), 2u);
+  for (const Equilibrium& one : found) {
+    EXPECT_NEAR(std::cos(one.poses[1].angle), 4.0 / (2.0 * kFreeFall * 0.5), 1e-12);
+  }
+}
+
 TEST(Equilibrium, AllOfAPendulumAreTwoAndANeutralBarHasOne) {
   const std::vector<Equilibrium> found = find_equilibria(make_pendulum(0.3));
   ASSERT_EQ(found.size(), 2u);

@@ -110,10 +110,10 @@ class EquilibriumFinder {
     Equilibrium one = describe();
     const double size = find_longest_arm(held_);
     const bool known = std::ranges::any_of(found_, [&](const Equilibrium& other) {
+      // The same but for whole turns, or two places of a rest that goes on and on.
       const double energy = std::max(std::abs(one.potential_energy), std::abs(other.potential_energy));
-      if (std::abs(one.potential_energy - other.potential_energy) > kAlike * energy) return false;
-      const bool rest_anywhere = has_neutral_mode(one) && has_neutral_mode(other);
-      return rest_anywhere || are_alike(one.poses, other.poses, size);
+      const bool is_level = std::abs(one.potential_energy - other.potential_energy) <= kAlike * energy;
+      return are_alike(one.poses, other.poses, size) || (is_level && has_neutral_mode(one) && has_neutral_mode(other));
     });
     if (!known) found_.push_back(std::move(one));
   }

@@ -120,6 +120,7 @@ bool KinematicSolver::close_loops() {
     if (error >= least) return error <= 100.0 * kFollowedShare * size_;
     least = error;
     if (error == 0.0) return true;
+    if (q.size() == 0) break;  // drivers hold everything
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
     solver.setThreshold(kRankThreshold);
     solver.compute(find_closure_jacobian(tables, workspace_));
@@ -135,7 +136,7 @@ bool KinematicSolver::find_motion() {
   std::ranges::fill(next_.v, 0.0);
   update(next_.time);
   if (find_orientation() == 0.0) return false;
-  if (!tables.closures.empty()) {
+  if (!tables.closures.empty() && !next_.v.empty()) {
     const MatrixXd jacobian = find_closure_jacobian(tables, workspace_);
     Eigen::Map<VectorXd>(next_.v.data(), static_cast<Index>(next_.v.size())) =
         Eigen::CompleteOrthogonalDecomposition<MatrixXd>(jacobian).solve(-find_closure_rates(workspace_));

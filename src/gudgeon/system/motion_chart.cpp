@@ -87,7 +87,7 @@ bool MotionChart::move_to(const VectorXd& y) {
   q_ = start_ + scale_.cwiseProduct(basis_ * y);
   v_.setZero();
   update();
-  if (system_->tables.closures.empty()) return true;
+  if (system_->tables.closures.empty() || q_.size() == 0) return true;
   double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < kMostChartSteps; ++iteration) {
     const VectorXd gaps = find_closure_gaps(workspace_) / size_;

@@ -101,7 +101,8 @@ Redundancy find_redundancy(const Tables& tables, double t, const std::vector<dou
   RankProbe probe(tables);
   const VectorXd here = VectorXd::Map(q.data(), static_cast<Index>(q.size()));
   const RowRank rank_here = find_row_rank(tables, probe.find_jacobian(t, here));
-  if (rank_here.rank == tables.n_rows) return {rank_here.active, 0, false};
+  // Where drivers hold everything there is nowhere to go.
+  if (rank_here.rank == tables.n_rows || q.empty()) return {rank_here.active, tables.n_rows - rank_here.rank, false};
 
   RowRank best = rank_here;
   VectorXd best_at = here;

@@ -92,10 +92,13 @@ VectorXd find_start_rates(const Mechanism& mechanism, const Topology& topology, 
     matrix(jacobian.rows() + k, rate.column) = 1.0;
     right(jacobian.rows() + k) = rate.rate;
   }
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
-  solver.setThreshold(kRankThreshold);
-  solver.compute(matrix);
-  VectorXd rates = solver.solve(right);
+  VectorXd rates(matrix.cols());
+  if (rates.size() > 0) {
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
+    solver.setThreshold(kRankThreshold);
+    solver.compute(matrix);
+    rates = solver.solve(right);
+  }
   const VectorXd rest = matrix * rates - right;
   if (rest.cwiseAbs().maxCoeff() > 1e-9 * right.cwiseAbs().maxCoeff()) throw_rate_conflict(rest.tail(n_given), given);
   return rates;
