@@ -95,8 +95,9 @@ std::string find_complaint(const std::string& lines) {
   std::string complaint = outcome.err;
   for (int line = 1; line <= 6; ++line) {
     const std::string at = std::to_string(n_lines + line);
-    for (std::size_t found = complaint.find(at); found != std::string::npos; found = complaint.find(at)) {
-      complaint.replace(found, at.size(), "+" + std::to_string(line));
+    for (const auto& [before, after] : {std::pair{":", ":"}, std::pair{" ", " |"}}) {  // not within a code
+      const std::size_t found = complaint.find(before + at + after);
+      if (found != std::string::npos) complaint.replace(found + 1, at.size(), "+" + std::to_string(line));
     }
   }
   return complaint;

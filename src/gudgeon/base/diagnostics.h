@@ -24,8 +24,8 @@ struct Diagnostic {
   std::string path;                ///< dotted path in the model; empty for the whole
   std::string message;             ///< who, the value as read and in SI, the rule
   std::vector<std::string> notes;  ///< next step, nearest valid names
-  int part = -1;                   ///< [characters] of a text the part that is meant begins here; -1 for the whole
-  int part_length = 1;             ///< [characters]
+  int part = -1;                   ///< [bytes] of a text the part that is meant begins here; -1 for the whole
+  int part_length = 1;             ///< [bytes]
 };
 
 class Diagnostics {

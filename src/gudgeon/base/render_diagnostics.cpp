@@ -87,8 +87,10 @@ SourceSpan find_part(const Diagnostic& item, const SourceSpan& whole, std::strin
   line.remove_prefix(1);
   const std::string_view before = line.substr(0, static_cast<std::size_t>(item.part));
   if (before.find('\\') != std::string_view::npos) return whole;  // an escape is longer than what it stands for
-  SourceSpan part{whole.line, whole.column + 1, std::max(item.part_length, 1)};
+  SourceSpan part{whole.line, whole.column + 1, 0};
   for (std::string_view rest = before; !rest.empty(); ++part.column) take_code_point(rest);
+  std::string_view marked = line.substr(before.size(), static_cast<std::size_t>(std::max(item.part_length, 1)));
+  for (; !marked.empty(); ++part.length) take_code_point(marked);
   return part;
 }
 
