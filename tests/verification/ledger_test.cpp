@@ -69,8 +69,9 @@ AnyWear make_real_wear() {
   return NoWear{};
 }
 
-void verify_ledger(book::Recorder& recorder, const std::string& name, const StageRecord& stage) {
-  recorder.verify(name + ": |residual| / exchanged [1]", 0.0, check_energy(stage.ledger).relative, kResidual);
+void verify_ledger(book::Recorder& recorder, const std::string& name, const StageRecord& stage,
+                   double tolerance = kResidual) {
+  recorder.verify(name + ": |residual| / exchanged [1]", 0.0, check_energy(stage.ledger).relative, tolerance);
 }
 
 TEST(Ledger, WithEveryLawOfNormalForce) {
@@ -108,12 +109,13 @@ TEST(Ledger, WithEveryLawOfFriction) {
 TEST(Ledger, OnSurfacesWornByEveryLaw) {
   book::Recorder recorder({"Energy", "Ledger on surfaces worn by every law", "zero in exact arithmetic",
                            kLoosePin + "a turn on fresh surfaces, and one on those that each law has worn.",
-                           kLedgerReason});
+                           "the project's goal; the ledger's integrals have no tolerance of their own, and where a "
+                           "grazing contact would pull, its force is held at zero over steps as long as in flight"});
   for_each_law<AnyWear>([&]<class Law>() {
     if constexpr (!std::same_as<Law, NoWear>) {
       const StageRecord stage =
           run_loose_pin(LankaraniNikravesh{0.9, 1.5}, CoulombSmooth{0.1, 1e-2}, make_real_wear<Law>());
-      verify_ledger(recorder, std::string(Law::kName), stage);
+      verify_ledger(recorder, std::string(Law::kName), stage, kEnergyTolerance);
     }
   });
 }

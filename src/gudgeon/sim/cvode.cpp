@@ -20,6 +20,10 @@ namespace {
 // Errors and convergence may fail so often in one step; each time it is shortened, and CVODE gives up at the shortest.
 constexpr int kMostFailures = 50;
 
+// Newton's iteration goes on down to this share of the tolerance. At rest steps are long, and what it leaves of a rate
+// would add up to creep; an iteration more there costs next to nothing.
+constexpr double kNewtonShare = 1e-3;
+
 StiffProblem& problem_of(void* user_data) { return *static_cast<StiffProblem*>(user_data); }
 
 // Positive return values are failures that a shorter step may cure.
@@ -59,6 +63,7 @@ struct Cvode::Memory {
     flag |= CVodeSetLinearSolver(integrator, solver, matrix);
     flag |= CVodeSetMinStep(integrator, shortest);
     flag |= CVodeSetMaxStep(integrator, longest);
+    flag |= CVodeSetNonlinConvCoef(integrator, kNewtonShare);
     flag |= CVodeSetMaxErrTestFails(integrator, kMostFailures);
     flag |= CVodeSetMaxConvFails(integrator, kMostFailures);
     if (projects) {
