@@ -43,7 +43,10 @@ void expect_same_slider(double friction, bool in_contact) {
     EXPECT_NEAR(slope[3], engine.slope[3 - rod.turn], kSliderTolerance * scale);
     std::array<textbook::GapWatch, 1> gaps;
     by_hand.find_gaps(0.0, y.data(), gaps);
-    const ContactGap& gap = engine.equations.workspace.contact_forces[0].gap;
+    Workspace& at = engine.equations.workspace;
+    update_point_motions(engine.system.tables, at);
+    const Contact& pin = engine.system.tables.contacts[0];
+    const ContactGap gap = find_gap(pin.surfaces, find_contact_motion(pin, at));
     EXPECT_NEAR(gaps[0].penetration, gap.penetration, 1e-15);
     EXPECT_NEAR(gaps[0].penetration_rate, gap.penetration_rate, 1e-10);
   }

@@ -131,8 +131,8 @@ TEST(ReadLoads, MarksThePartOfAFormulaThatIsWrong) {
   EXPECT_THAT(
       find_messages("-c*leg.B.y_velocity", "-c*µ*leg.B.z"),
       testing::AllOf(
-          testing::HasSubstr("   | force = [\"10 N\", \"-c*µ*leg.B.z\"]\n      |                      ^\n"),
-          testing::HasSubstr("   | force = [\"10 N\", \"-c*µ*leg.B.z\"]\n      |                        ^^^^^^^\n")));
+          testing::HasSubstr(" | force = [\"10 N\", \"-c*µ*leg.B.z\"]\n      |                      ^\n"),
+          testing::HasSubstr(" | force = [\"10 N\", \"-c*µ*leg.B.z\"]\n      |                        ^^^^^^^\n")));
   // All names at once, and the quantity that may have been meant.
   const std::string messages = find_messages("-c*leg.B.y_velocity", "5 Nn + q");
   EXPECT_THAT(messages, testing::HasSubstr("uses 'Nn'"));
