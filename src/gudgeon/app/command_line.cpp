@@ -16,6 +16,8 @@
 #include "gudgeon/app/export_command.h"
 #include "gudgeon/app/info_command.h"
 #include "gudgeon/app/laws_command.h"
+#include "gudgeon/app/plot_command.h"
+#include "gudgeon/app/report_command.h"
 #include "gudgeon/app/run_command.h"
 #include "gudgeon/app/text_output.h"
 #include "gudgeon/base/diagnostics.h"
@@ -28,6 +30,8 @@ A first session:
   gudgeon check press.toml                    what is in the model, is it sound?
   gudgeon draw press.toml -o press.svg        is it the mechanism I mean?
   gudgeon run press.toml                      simulate, wear, summarise
+  gudgeon report runs/press                   the study as one page to look at
+  gudgeon plot runs/press -o figures          its figures for print
   gudgeon info runs/press/base.h5             look at a run again
   gudgeon export runs/press/base.h5 -o csv    its channels as CSV
   gudgeon laws friction                       what laws are there?
@@ -108,6 +112,8 @@ void add_commands(CLI::App& program, Action& action) {
   add_run_command(program, action);
   add_info_command(program, action);
   add_export_command(program, action);
+  add_report_command(program, action);
+  add_plot_command(program, action);
   add_laws_command(program, action);
 }
 
