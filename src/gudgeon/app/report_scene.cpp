@@ -33,10 +33,12 @@ SceneBody make_scene_body(const Mechanism& mechanism, int index) {
   return scene;
 }
 
-void add_slot(const AnyJoint& kind, SceneJoint& scene) {
+void add_shape(const AnyJoint& kind, SceneJoint& scene) {
   std::visit(
       [&]<class Kind>(const Kind& joint) {
         if constexpr (requires { joint.direction; }) scene.direction = joint.direction;
+        if constexpr (requires { joint.radial_clearance; }) scene.clearance = joint.radial_clearance;
+        if constexpr (requires { joint.clearance; }) scene.clearance = joint.clearance;
         if constexpr (requires { joint.bearing_length; }) scene.slot_length = joint.bearing_length;
         if constexpr (requires { joint.journal_length; }) scene.block_length = joint.journal_length;
         if constexpr (requires { joint.journal_height; }) scene.block_height = joint.journal_height;
@@ -56,7 +58,7 @@ SceneJoint make_scene_joint(const Mechanism& mechanism, const Joint& joint) {
   };
   scene.first_place = place(scene.first, first);
   scene.second_place = place(scene.second, second);
-  add_slot(joint.kind, scene);
+  add_shape(joint.kind, scene);
   return scene;
 }
 

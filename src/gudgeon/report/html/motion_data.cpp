@@ -55,6 +55,7 @@ void add_scene_joint(JsonText& json, const SceneJoint& joint, const RunRecord& r
   add_place(json, "first_place", joint.first_place);
   add_place(json, "second_place", joint.second_place);
   json.put("direction", joint.direction);
+  json.put("clearance", joint.clearance);
   json.put("slot_length", joint.slot_length);
   json.put("block_length", joint.block_length);
   json.put("block_height", joint.block_height);

@@ -30,6 +30,7 @@ struct SceneJoint {
   Vec2 first_place;           ///< [m] as ScenePoint::place
   Vec2 second_place;          ///< [m]
   double direction = 0.0;     ///< [rad] of a slide or slot, in the first body's axes
+  double clearance = 0.0;     ///< [m] on either side; 0 for an ideal joint
   double slot_length = 0.0;   ///< [m] of a slot with clearance
   double block_length = 0.0;  ///< [m] of a block with clearance, along the slot
   double block_height = 0.0;  ///< [m] across
