@@ -103,6 +103,7 @@ export class PlaneChart {
   #drawCurve(context, { toX, toY }, curve) {
     context.strokeStyle = context.fillStyle = curveColor(curve.color);
     context.lineWidth = this.figure.kind === 'phase' ? 1 : 1.4;
+    context.globalAlpha = this.figure.kind === 'phase' && !curve.points ? 0.7 : 1;
     context.setLineDash(curve.dashed ? [5, 5] : []);
     context.beginPath();
     for (let k = 0; k < curve.xs.length; ++k) {
@@ -117,6 +118,7 @@ export class PlaneChart {
     }
     if (curve.points) context.fill();
     else context.stroke();
+    context.globalAlpha = 1;
     context.setLineDash([]);
   }
 

@@ -43,13 +43,19 @@ function makeAxis(axis, side) {
   };
 }
 
+/** A turn is whole although its regions' middles do not reach its ends. */
+function findWholeRange(curves, axis) {
+  const [begin, end] = findExtent(curves, 'xs');
+  return axis.display === '°' && begin >= 0 && begin < 1 && end > 359 && end <= 360 ? [0, 360] : [begin, end];
+}
+
 export class SignalChart {
   constructor(figure, view, place, onHover) {
     this.figure = figure;
     this.view = view;
     this.curves = readCurves(figure);
     this.data = alignCurves(this.curves);
-    this.all = findExtent(this.curves, 'xs');
+    this.all = findWholeRange(this.curves, figure.x);
     this.cursor = document.createElement('div');
     this.cursor.className = 'time-cursor';
     this.plot = new uPlot(this.#makeOptions(place.clientWidth, onHover), this.data, place);

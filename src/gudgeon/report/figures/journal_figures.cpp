@@ -119,10 +119,13 @@ Figure make_poincare_map(Signals& signals, const std::string& joint, const std::
 
 std::vector<Figure> make_journal_figures(Signals& signals) {
   std::vector<Figure> figures;
-  for (const std::string& joint : find_clearance_joints(signals.run())) {
-    figures.push_back(make_orbit(signals, joint));
-    for (const char* axis : {"x", "y"}) figures.push_back(make_phase_portrait(signals, joint, axis));
-    for (const char* axis : {"x", "y"}) figures.push_back(make_poincare_map(signals, joint, axis));
+  // Joint beside joint, so that pictures of one kind stand together.
+  const std::vector<std::string> joints = find_clearance_joints(signals.run());
+  for (const std::string& joint : joints) figures.push_back(make_orbit(signals, joint));
+  for (const auto make : {make_phase_portrait, make_poincare_map}) {
+    for (const std::string& joint : joints) {
+      for (const char* axis : {"x", "y"}) figures.push_back(make(signals, joint, axis));
+    }
   }
   std::erase_if(figures, [](const Figure& figure) { return figure.curves.empty(); });
   return figures;

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numbers>
 
 #include "gudgeon/report/figures/display_unit.h"
 
@@ -66,11 +68,32 @@ Numbers place_across(const SurfaceProfile& profile) {
   return make_numbers(std::move(place));
 }
 
-void enlarge_deepest(Figure& figure, const SurfaceProfile& profile) {
-  const auto deepest = std::ranges::max_element(*profile.depth) - profile.depth->begin();
-  const double center = (*profile.position)[static_cast<std::size_t>(deepest)];
-  const double half =
-      profile.radius > 0.0 ? kEnlargedHalfWidth : 0.25 * (profile.position->back() - profile.position->front());
+std::size_t find_deepest_region(const SurfaceProfile& profile) {
+  return static_cast<std::size_t>(std::ranges::max_element(*profile.depth) - profile.depth->begin());
+}
+
+/// A round profile cut open opposite to a region, so that the place around the region is whole.
+SurfaceProfile cut_opposite(SurfaceProfile profile, std::size_t region) {
+  const std::size_t n = profile.depth->size();
+  if (!(profile.radius > 0.0) || n == 0) return profile;
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  std::vector<double> position;
+  std::vector<double> depth;
+  // From half a turn before the region; angles near it stay within a turn of zero.
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t k = (region + n - n / 2 + i) % n;
+    const double turns = std::floor(static_cast<double>(region + n - n / 2 + i) / static_cast<double>(n)) - 1.0;
+    position.push_back((*profile.position)[k] + kTurn * turns);
+    depth.push_back((*profile.depth)[k]);
+  }
+  profile.position = make_numbers(std::move(position));
+  profile.depth = make_numbers(std::move(depth));
+  return profile;
+}
+
+void enlarge(Figure& figure, const SurfaceProfile& profile, double center) {
+  const double length = profile.position->back() - profile.position->front();
+  const double half = profile.radius > 0.0 ? kEnlargedHalfWidth : 0.25 * length;
   figure.x_begin = std::max(profile.position->front(), center - half);
   figure.x_end = std::min(profile.position->back(), center + half);
 }
@@ -91,37 +114,40 @@ Figure make_depth_figure(std::span<const WornSurfaces> surfaces) {
   }
   figure.x = make_x_axis(label, unit, figure.curves);
   figure.y = make_y_axis("Wear depth", "m", figure.curves);
+  if (unit == "rad") figure.x_end = 2.0 * std::numbers::pi;  // the whole turn, not only from middle to middle
   return figure;
 }
 
 Figure make_unrolled_figure(std::span<const WornSurfaces> surfaces, bool of_bearing) {
   Figure figure;
-  std::string label;
-  std::string unit;
-  const SurfaceProfile* last = nullptr;
   std::vector<SurfaceProfile> profiles;
+  std::vector<const WornSurfaces*> owners;
   for (const WornSurfaces& one : surfaces) {
-    profiles = of_bearing ? split_bearing(*one.wear, one.state.bearing_depth)
-                          : split_journal(*one.wear, one.state.journal_depth);
-    for (const SurfaceProfile& profile : profiles) {
+    for (SurfaceProfile& profile : of_bearing ? split_bearing(*one.wear, one.state.bearing_depth)
+                                              : split_journal(*one.wear, one.state.journal_depth)) {
       if (profile.depth->empty()) continue;
-      figure.curves.push_back(make_worn_curve(one, profile, profile.position, place_across(profile)));
-      figure.curves.back().dashed = false;
-      label = profile.label;
-      unit = profile.unit;
-      last = &profile;
+      profiles.push_back(std::move(profile));
+      owners.push_back(&one);
     }
   }
-  if (last == nullptr) return figure;
+  if (profiles.empty()) return figure;
+  const std::size_t deepest = find_deepest_region(profiles.back());
+  const double center = (*profiles.back().position)[deepest];
+  for (std::size_t k = 0; k < profiles.size(); ++k) {
+    profiles[k] = cut_opposite(std::move(profiles[k]), deepest);
+    figure.curves.push_back(make_worn_curve(*owners[k], profiles[k], profiles[k].position, place_across(profiles[k])));
+    figure.curves.back().dashed = false;
+  }
+  const SurfaceProfile& last = profiles.back();
   FigureCurve unworn;
   unworn.name = "unworn";
   unworn.dashed = true;
-  unworn.x = last->position;
-  unworn.y = make_numbers(std::vector<double>(last->position->size(), 0.0));
+  unworn.x = last.position;
+  unworn.y = make_numbers(std::vector<double>(last.position->size(), 0.0));
   figure.curves.push_back(std::move(unworn));
-  figure.x = make_x_axis(label, unit, figure.curves);
+  figure.x = make_x_axis(last.label, last.unit, figure.curves);
   figure.y = make_y_axis("Radius less unworn radius", "m", figure.curves);
-  enlarge_deepest(figure, *last);
+  enlarge(figure, last, center);
   return figure;
 }
 

@@ -4,6 +4,8 @@
 // One case's worn surfaces, joint after joint.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "gudgeon/report/figures/case_figures.h"
 #include "gudgeon/report/figures/wear_curves.h"
 
@@ -35,12 +37,19 @@ void add_wear_figure(std::vector<Figure>& figures, Figure figure, std::string id
 
 std::vector<Figure> make_wear_figures(const RunRecord& run) {
   std::vector<Figure> figures;
-  for (const std::string& joint : find_clearance_joints(run)) {
-    const std::vector<WornSurfaces> surfaces = find_worn_surfaces(run, joint);
+  std::vector<std::pair<std::string, std::vector<WornSurfaces>>> joints;
+  for (const std::string& joint : find_clearance_joints(run))
+    joints.emplace_back(joint, find_worn_surfaces(run, joint));
+  // Joint beside joint, so that pictures of one kind stand together.
+  for (const auto& [joint, surfaces] : joints) {
     add_wear_figure(figures, make_depth_figure(surfaces), joint + ".wear_depth", fmt::format("Wear depth in {}", joint),
                     "Bearing and journal together, over the surface of the bearing.");
+  }
+  for (const auto& [joint, surfaces] : joints) {
     add_wear_figure(figures, make_outline_figure(surfaces), joint + ".surfaces",
                     fmt::format("Rebuilt surfaces of {}", joint), "");
+  }
+  for (const auto& [joint, surfaces] : joints) {
     add_wear_figure(figures, make_unrolled_figure(surfaces, true), joint + ".bearing_surface",
                     fmt::format("Bearing surface of {}, enlarged", joint),
                     "The rebuilt surface about its deepest place; a bearing grows where it wears.");

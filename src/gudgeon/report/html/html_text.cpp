@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "gudgeon/report/figures/display_unit.h"
+
 namespace gudgeon {
 
 std::string escape_html(std::string_view text) {
@@ -31,6 +33,15 @@ std::string make_paragraph(std::string_view text, std::string_view name) {
   return fmt::format("<p class=\"{}\">{}</p>\n", name, escape_html(text));
 }
 
+namespace {
+
+/// A true minus sign and raised exponents: "−606.1 m/s²".
+std::string print_number_cell(const std::string& cell) {
+  return print_unit(cell.starts_with('-') ? "−" + cell.substr(1) : cell);
+}
+
+}  // namespace
+
 HtmlTable::HtmlTable(std::string caption, std::vector<std::string> columns, std::size_t n_text_columns)
     : caption_(std::move(caption)), columns_(std::move(columns)), n_text_columns_(n_text_columns) {}
 
@@ -48,7 +59,8 @@ std::string HtmlTable::render() const {
     html += "<tr>";
     for (std::size_t k = 0; k < row.size(); ++k) {
       html += k == 0 ? fmt::format("<th scope=\"row\">{}</th>", escape_html(row[k]))
-                     : fmt::format("<td{}>{}</td>", name_class(k), escape_html(row[k]));
+                     : fmt::format("<td{}>{}</td>", name_class(k),
+                                   escape_html(k < n_text_columns_ ? row[k] : print_number_cell(row[k])));
     }
     html += "</tr>\n";
   }

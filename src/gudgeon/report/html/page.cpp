@@ -42,11 +42,11 @@ std::string render_article(const ReportCase& one, const std::vector<Figure>& fig
   };
   std::string html =
       fmt::format("<article class=\"case\" data-case=\"{0}\" aria-label=\"Case {0}\">\n", escape_html(name));
-  html += make_section(name, "simulated", "What was simulated", render_simulated(one));
-  if (one.scene) {
+  if (one.scene && !run.stages.empty()) {
     html += make_section(name, "moving", "The mechanism, moving",
                          fmt::format("<div class=\"mechanism\" data-case=\"{}\"></div>\n", escape_html(name)));
   }
+  html += make_section(name, "simulated", "What was simulated", render_simulated(one));
   html += make_section(name, "published", "Beside the published values", render_published_values(one));
   html += make_section(name, "wear", "Wear", render_wear_table(run) + place("wear"));
   html += make_section(name, "motion", "Motion of the slider", render_ideal_table(run) + place("motion"));

@@ -30,11 +30,22 @@ HtmlTable make_stated_table(std::string caption) {
   return {std::move(caption), {"value", "as written", "status", "remark"}, 4};
 }
 
+/// The value as the file has it, and what the run put in its place.
+std::string print_stated(const ReportCase& one, const StatedValue& value) {
+  std::string text = value.written;
+  for (const auto* changes : {&one.case_settings, &one.run.overrides}) {
+    const auto found = std::ranges::find(*changes, value.path, &NamedText::first);
+    if (found != changes->end()) text += fmt::format(" (here: {})", found->second);
+  }
+  return text;
+}
+
 std::string render_stated_group(const ReportCase& one, const std::string& status, const std::string& caption,
                                 bool open) {
   HtmlTable table = make_stated_table(caption);
   for (const StatedValue& value : one.stated) {
-    if (value.status.substr(0, 1) == status) table.add_row({value.path, value.written, value.status, value.remark});
+    if (value.status.substr(0, 1) == status)
+      table.add_row({value.path, print_stated(one, value), value.status, value.remark});
   }
   if (table.empty()) return {};
   return fmt::format("<details{}><summary>{}</summary>\n{}</details>\n", open ? " open" : "", escape_html(caption),

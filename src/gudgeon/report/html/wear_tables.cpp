@@ -8,7 +8,7 @@
 
 #include "gudgeon/analysis/energy_audit.h"
 #include "gudgeon/analysis/wear_summary.h"
-#include "gudgeon/report/figures/figure.h"
+#include "gudgeon/report/figures/case_figures.h"
 #include "gudgeon/report/html/case_sections.h"
 #include "gudgeon/report/html/html_text.h"
 #include "gudgeon/report/joint_section.h"
@@ -24,6 +24,9 @@ HtmlTable make_stage_table(const RunRecord& run, std::string caption, std::strin
   for (const StageRecord& stage : run.stages) columns.push_back(label_stage(stage.name));
   return {std::move(caption), std::move(columns)};
 }
+
+/// Cubic millimetres: worn volumes of machine parts are read in them.
+std::string print_volume(double volume) { return format_number(1e9 * volume) + " mm³"; }
 
 template <class Print>
 void add_stage_row(HtmlTable& table, const RunRecord& run, std::string name, Print print) {
@@ -52,15 +55,17 @@ std::string render_wear_table(const RunRecord& run) {
                    "worn angles"},
                   2);
   std::string notes;
-  for (std::size_t k = 0; k < run.stages.size(); ++k) {
-    for (const JointWearSummary& wear : summarize_wear(run, k)) {
-      if (!(wear.accumulated.depth > 0.0)) continue;
+  for (const std::string& joint : find_clearance_joints(run)) {
+    for (std::size_t k = 0; k < run.stages.size(); ++k) {
+      const std::vector<JointWearSummary> summaries = summarize_wear(run, k);
+      const auto found = std::ranges::find(summaries, joint, &JointWearSummary::joint);
+      if (found == summaries.end() || !(found->accumulated.depth > 0.0)) continue;
+      const JointWearSummary& wear = *found;
       const std::string stage = label_stage(run.stages[k].name);
       table.add_row({wear.joint, stage, format_engineering(wear.accumulated.depth, "m"),
                      format_degrees(wear.accumulated.angle), format_engineering(wear.bearing.depth, "m"),
                      format_engineering(wear.journal.depth, "m"), format_engineering(wear.added.depth, "m"),
-                     format_engineering(wear.removed_volume, "m^3"), format_engineering(wear.archard_volume, "m^3"),
-                     render_ranges(wear.worn)});
+                     print_volume(wear.removed_volume), print_volume(wear.archard_volume), render_ranges(wear.worn)});
       if (wear.clearance_share <= kFarthestExtrapolation) continue;
       notes +=
           make_paragraph(fmt::format("Stage “{}” deepens joint {} by {:.0f} % of its clearance at once; its motion "

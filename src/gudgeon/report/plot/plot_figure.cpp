@@ -37,7 +37,7 @@ void draw_curve(SvgCanvas& canvas, const DrawnCurve& drawn, const PlotFrame& fra
   const std::string_view color = find_curve_color(curve.color);
   if (curve.points) {
     for (const Vec2& point : drawn.points) {
-      if (std::isfinite(point.x + point.y)) canvas.add_circle(frame.place(point), 2.2, {.fill = color});
+      if (std::isfinite(point.x + point.y)) canvas.add_circle(frame.place(point), 2.8, {.fill = color});
     }
     return;
   }
@@ -60,7 +60,10 @@ std::string plot_figure(const Figure& figure, const PlotSettings& settings) {
   const double top = kTitleHeight + find_legend_height(curves, inner_width) + kLabelHeight;
   const bool is_plane = figure.kind == FigureKind::plane;
   const double inner_height = is_plane ? inner_width : settings.height - kTitleHeight - kLabelHeight - kFootHeight;
-  const PlotFrame frame = make_frame(figure.kind, curves, {kLeftMargin, top}, {inner_width, inner_height});
+  PlotFrame frame = make_frame(figure.kind, curves, {kLeftMargin, top}, {inner_width, inner_height});
+  if (figure.kind == FigureKind::line && figure.x_end > figure.x_begin) {
+    frame.x = {figure.x.factor * figure.x_begin, figure.x.factor * figure.x_end};
+  }
 
   SvgCanvas canvas(settings.width, top + inner_height + kFootHeight, figure.title);
   canvas.add_text({12.0, 26.0}, figure.title, {.color = "#1f2933", .size = 16.0, .bold = true});

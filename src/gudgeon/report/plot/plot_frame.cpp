@@ -112,7 +112,8 @@ double draw_legend(SvgCanvas& canvas, std::span<const DrawnCurve> curves, Vec2 c
 void draw_axes(SvgCanvas& canvas, const Figure& figure, const PlotFrame& frame) {
   const Vec2 end = frame.corner + frame.size;
   const AxisTicks x_ticks =
-      find_ticks(frame.x.begin, frame.x.end, std::max(2, static_cast<int>(frame.size.x / kTickSpacing)));
+      find_ticks(frame.x.begin, frame.x.end, std::max(2, static_cast<int>(frame.size.x / kTickSpacing)),
+                 figure.x.display_unit == "°");
   const AxisTicks y_ticks =
       find_ticks(frame.y.begin, frame.y.end, std::max(2, static_cast<int>(frame.size.y / (0.6 * kTickSpacing))));
   for (const double place : x_ticks.places) {
