@@ -6,7 +6,7 @@ import { make, prepareCanvas } from './elements.js';
 import { printQuantity } from './number_text.js';
 import { curveColor, styleColor } from './palette.js';
 
-const kSize = 210; // [px]
+const kSize = 210; // [px] it is laid out on; drawn smaller where there is less room
 const kRadius = 74; // [px] of the bearing
 const kGap = 17; // [px] that the clearance is drawn as
 const kLongest = 56; // [px] of the greatest force
@@ -47,7 +47,9 @@ export class JointInset {
     const joint = this.scene.joints[this.joint];
     const state = motion.findJoint(this.joint, time);
     const poses = motion.findPoses(time);
-    const context = prepareCanvas(this.canvas, kSize, kSize);
+    const size = Math.min(kSize, this.element.clientWidth || kSize);
+    const context = prepareCanvas(this.canvas, size, size);
+    context.scale(size / kSize, size / kSize);
     context.translate(kSize / 2, kSize / 2);
     this.title.textContent = this.choice.hidden ? `Joint ${joint.name}` : 'Joint ';
     this.canvas.setAttribute('aria-label', `Joint ${joint.name}, magnified`);

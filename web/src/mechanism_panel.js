@@ -8,6 +8,7 @@ import { showMoment } from './figure_places.js';
 import { JointInset } from './joint_inset.js';
 import { LinkageView } from './linkage_view.js';
 import { Motion } from './motion.js';
+import { printNumber } from './number_text.js';
 import { onThemeChange } from './palette.js';
 import { Player } from './player.js';
 
@@ -67,7 +68,7 @@ class MechanismPanel {
         button('▶|', 'One sample on', () => this.#step(1)), this.slider, this.clock),
       make('div', { class: 'row' }, this.#makeStageChoice(), this.#makeSpeedChoice(), this.#makeTraceChoice(),
         make('label', {}, this.loopBox, ' loop one cycle'),
-        ...(this.ideal ? [make('label', {}, this.ghostBox, ' ideal as ghost')] : [])));
+        ...(this.ideal && this.motions.length > 1 ? [make('label', {}, this.ghostBox, ' ideal as ghost')] : [])));
   }
 
   #makeStageChoice() {
@@ -87,7 +88,8 @@ class MechanismPanel {
   #makeTraceChoice() {
     this.traceable = this.scene.bodies.flatMap((body, b) =>
       body.frame ? [] : body.points.map((point) => ({ body: b, point, name: `${body.name}.${point.name}` })));
-    const plate = this.traceable.findIndex(({ body }) => this.scene.bodies[body].points.length > 2);
+    const first = this.traceable.findIndex(({ body }) => this.scene.bodies[body].points.length > 2);
+    const plate = first < 0 ? this.traceable.length - 1 : first;
     this.traceChoice = make('select', {}, make('option', { value: -1 }, 'none'),
       ...this.traceable.map(({ name }, k) => make('option', { value: k, selected: k === plate }, name)));
     this.traceChoice.addEventListener('change', () => this.#draw());
@@ -103,7 +105,8 @@ class MechanismPanel {
     this.motion = motion;
     this.view.fit(motion);
     const cycles = (motion.end - motion.begin) / motion.cycleTime;
-    this.note.textContent = `The last ${Number(cycles.toFixed(1))} cycles of this stage, every recorded sample. Space plays, arrow keys step.`;
+    const span = cycles >= 0.1 ? `${Number(cycles.toFixed(1))} cycles` : `${printNumber(motion.end - motion.begin)} s`;
+    this.note.textContent = `The last ${span} of this stage, every recorded sample. Space plays, arrow keys step.`;
     if (this.view.width) this.view.resize(this.view.width);
     this.player.load(motion);
   }

@@ -81,7 +81,7 @@ export class SignalChart {
     return {
       width,
       height: kHeight,
-      padding: [12, 14, 0, 0],
+      padding: [12, 24, 0, 0],
       legend: { show: false },
       scales: { x: { time: false }, y: { range: (u, least, greatest) => widen(least === null ? [0, 1] : [least, greatest], 0.06) } },
       axes: [makeAxis(this.figure.x, 'x'), makeAxis(this.figure.y, 'y')],

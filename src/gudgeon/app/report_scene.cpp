@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "gudgeon/io/model_remarks.h"
 #include "gudgeon/report/number_format.h"
@@ -64,11 +65,26 @@ SceneJoint make_scene_joint(const Mechanism& mechanism, const Joint& joint) {
 
 std::string describe_joint(const Joint& joint) {
   if (const auto* round = std::get_if<RevoluteClearance>(&joint.kind)) {
-    return fmt::format("{}, bearing radius {}, clearance {}, width {}", kJointKinds[joint.kind.index()],
-                       format_engineering(round->bearing_radius, "m"), format_engineering(round->radial_clearance, "m"),
-                       format_engineering(round->width, "m"));
+    return fmt::format("{} radial, bearing radius {}, width {}", format_engineering(round->radial_clearance, "m"),
+                       format_engineering(round->bearing_radius, "m"), format_engineering(round->width, "m"));
   }
   return kJointKinds[joint.kind.index()];
+}
+
+/// One entry for all joints that are alike.
+std::vector<NamedText> describe_clearances(const Mechanism& mechanism) {
+  std::vector<NamedText> facts;  // names of joints, and what they are
+  for (const Joint& joint : mechanism.joints) {
+    if (!has_clearance(joint.kind)) continue;
+    const std::string text = describe_joint(joint);
+    const auto alike = std::ranges::find(facts, text, &NamedText::second);
+    if (alike == facts.end()) {
+      facts.emplace_back("Clearance in " + joint.name, text);
+    } else {
+      alike->first += ", " + joint.name;
+    }
+  }
+  return facts;
 }
 
 }  // namespace
@@ -87,7 +103,7 @@ std::vector<NamedText> describe_study(const Mechanism& mechanism, const Study& s
   std::vector<NamedText> facts;
   const auto n_clear = std::ranges::count_if(mechanism.joints, [](const Joint& j) { return has_clearance(j.kind); });
   facts.emplace_back(
-      "Mechanism", fmt::format("{} moving bodies, {} joints, {} of them with clearance, {} drivers, {} loads",
+      "Mechanism", fmt::format("moving bodies: {}; joints: {}, with clearance: {}; drivers: {}; loads: {}",
                                mechanism.bodies.size() - 1, mechanism.joints.size(), n_clear, mechanism.drivers.size(),
                                mechanism.loads.size()));
   facts.emplace_back("Gravity", fmt::format("({}, {}) m/s²", mechanism.gravity.x, mechanism.gravity.y));
@@ -97,9 +113,7 @@ std::vector<NamedText> describe_study(const Mechanism& mechanism, const Study& s
                                                     ? format_engineering(driver.speed, turns ? "rad/s" : "m/s")
                                                     : std::string("a motion over time"));
   }
-  for (const Joint& joint : mechanism.joints) {
-    if (has_clearance(joint.kind)) facts.emplace_back("Joint " + joint.name, describe_joint(joint));
-  }
+  std::ranges::move(describe_clearances(mechanism), std::back_inserter(facts));
   facts.emplace_back("Cycle", format_engineering(study.cycle_time, "s"));
   facts.emplace_back("Cycles a stage", fmt::format("{} after {} to warm up", study.cycles, study.warm_up_cycles));
   facts.emplace_back("Wear stages", fmt::format("{}", study.wear_stages));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <string_view>
 
 #include "gudgeon/analysis/translating_bodies.h"
 
@@ -21,6 +22,20 @@ void add_once(std::vector<Item>& items, const Item& item, Key key) {
 
 bool is_recorded(const StageRecord& stage, const std::string& channel) {
   return std::ranges::find(stage.channels, channel, &Channel::name) != stage.channels.end();
+}
+
+std::vector<std::string> find_slider_motions(const RunRecord& run) {
+  std::vector<std::string> channels;
+  for (const StageRecord& stage : run.stages) {
+    for (const std::string& body : find_translating_bodies(stage)) {
+      for (const std::string& axis : find_moving_axes(stage, body)) {
+        for (const char* ending : {"", "_velocity", "_acceleration"}) {
+          add_once(channels, body + "." + axis + ending, std::identity{});
+        }
+      }
+    }
+  }
+  return channels;
 }
 
 }  // namespace
@@ -38,16 +53,14 @@ const JointWear* find_wear(const StageRecord& stage, const std::string& joint) {
   return found == stage.wear.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> find_slider_channels(const RunRecord& run) {
-  std::vector<std::string> channels;
-  for (const StageRecord& stage : run.stages) {
-    for (const std::string& body : find_translating_bodies(stage)) {
-      for (const std::string& axis : find_moving_axes(stage, body)) {
-        for (const char* ending : {"", "_velocity", "_acceleration"}) {
-          add_once(channels, body + "." + axis + ending, std::identity{});
-        }
-      }
-    }
+std::vector<std::string> find_motion_channels(const RunRecord& run) {
+  std::vector<std::string> channels = find_slider_motions(run);
+  if (!channels.empty() || run.stages.empty()) return channels;
+  constexpr std::string_view kTurning = ".angle_acceleration";
+  for (const Channel& channel : run.stages.front().channels) {
+    if (!channel.name.ends_with(kTurning)) continue;
+    const std::string body = channel.name.substr(0, channel.name.size() - kTurning.size());
+    channels = {body + ".angle", body + ".angle_rate", channel.name};
   }
   return channels;
 }
@@ -63,7 +76,7 @@ std::vector<Channel> find_effort_channels(const RunRecord& run) {
 }
 
 std::vector<std::string> find_figure_channels(const RunRecord& outline, const StageRecord& stage) {
-  std::vector<std::string> wanted = find_slider_channels(outline);
+  std::vector<std::string> wanted = find_motion_channels(outline);
   for (const Channel& effort : find_effort_channels(outline)) wanted.push_back(effort.name);
   for (const std::string& joint : find_clearance_joints(outline)) {
     for (const char* ending : {".normal_force", ".x_offset", ".y_offset", ".x_offset_rate", ".y_offset_rate"}) {

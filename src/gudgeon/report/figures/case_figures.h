@@ -29,8 +29,9 @@ std::vector<Figure> make_journal_figures(Signals& signals);
 std::vector<std::string> find_clearance_joints(const RunRecord& run);
 /// The joint's wear in a stage; nullptr when the stage has none.
 const JointWear* find_wear(const StageRecord& stage, const std::string& joint);
-/// Channels of slider displacement, velocity and acceleration, in that order body after body.
-std::vector<std::string> find_slider_channels(const RunRecord& run);
+/// Channels of displacement, velocity and acceleration of the sliders, in that order body after body; of the angle of
+/// the last body where nothing slides.
+std::vector<std::string> find_motion_channels(const RunRecord& run);
 /// Drivers' efforts, from any stage.
 std::vector<Channel> find_effort_channels(const RunRecord& run);
 

@@ -54,19 +54,22 @@ Figure make_signal_figure(Signals& signals, const std::string& channel, SignalFo
   return figure;
 }
 
-/// "slider_9.x_velocity": owner "slider_9", axis "x", quantity "velocity".
-struct SliderChannel {
+/// "slider_9.x_velocity": owner "slider_9", quantity "velocity", place " in x".
+struct MotionChannel {
   std::string owner;
-  std::string axis;
   std::string quantity;
+  std::string place;
 };
 
-SliderChannel split_slider_channel(const std::string& channel) {
+MotionChannel split_motion_channel(const std::string& channel) {
   const std::size_t dot = channel.rfind('.');
   const std::string part = channel.substr(dot + 1);
   const std::size_t line = part.find('_');
+  if (part == "angle") return {channel.substr(0, dot), "angle", ""};
+  if (part == "angle_rate") return {channel.substr(0, dot), "angular velocity", ""};
+  if (part == "angle_acceleration") return {channel.substr(0, dot), "angular acceleration", ""};
   const std::string quantity = line == std::string::npos ? "displacement" : part.substr(line + 1);
-  return {channel.substr(0, dot), part.substr(0, line), quantity};
+  return {channel.substr(0, dot), quantity, " in " + part.substr(0, line)};
 }
 
 std::string capitalize(std::string text) {
@@ -78,15 +81,15 @@ std::string capitalize(std::string text) {
 
 std::vector<Figure> make_motion_figures(Signals& signals) {
   std::vector<Figure> figures;
-  for (const std::string& channel : find_slider_channels(signals.run())) {
-    const auto [owner, axis, quantity] = split_slider_channel(channel);
-    const std::string label = fmt::format("{} in {}", capitalize(quantity), axis);
+  for (const std::string& channel : find_motion_channels(signals.run())) {
+    const auto [owner, quantity, place] = split_motion_channel(channel);
+    const std::string label = capitalize(quantity) + place;
     Figure motion = make_signal_figure(signals, channel, SignalForm::value, label);
     motion.id = channel;
-    motion.title = fmt::format("{} of {} along {}", capitalize(quantity), owner, axis);
+    motion.title = fmt::format("{} of {}{}", capitalize(quantity), owner, place);
     Figure error = make_signal_figure(signals, channel, SignalForm::error, fmt::format("Error of {}", quantity));
     error.id = channel + ".error";
-    error.title = fmt::format("Error of the {} of {}", quantity, owner);
+    error.title = fmt::format("Error of the {} of {}{}", quantity, owner, place);
     error.caption = "Value less that of the ideal mechanism at the same time.";
     for (Figure* figure : {&motion, &error}) {
       figure->topic = "motion";

@@ -20,7 +20,7 @@ constexpr double kBytesAValue = 4.0 * 4.0 / 3.0;  // single precision in base64
 }  // namespace
 
 double find_full_cycles(const RunRecord& run, std::size_t bytes) {
-  const auto n_errors = static_cast<double>(find_slider_channels(run).size());
+  const auto n_errors = static_cast<double>(find_motion_channels(run).size());
   double reduced = 0.0;    // [bytes] whatever the number of full cycles
   double per_cycle = 0.0;  // [bytes]
   for (const StageRecord& stage : run.stages) {

@@ -49,7 +49,7 @@ std::string render_article(const ReportCase& one, const std::vector<Figure>& fig
   html += make_section(name, "simulated", "What was simulated", render_simulated(one));
   html += make_section(name, "published", "Beside the published values", render_published_values(one));
   html += make_section(name, "wear", "Wear", render_wear_table(run) + place("wear"));
-  html += make_section(name, "motion", "Motion of the slider", render_ideal_table(run) + place("motion"));
+  html += make_section(name, "motion", "Motion", render_ideal_table(run) + place("motion"));
   html += make_section(name, "forces", "Drivers and contact forces",
                        render_peak_table(run) + place("drive") + place("contact"));
   html += make_section(name, "journals", "Journals in their bearings", render_contact_table(run) + place("journal"));

@@ -34,7 +34,7 @@ double find_percentile(const StageRecord& stage, const std::vector<double>& valu
 
 std::vector<Channel> find_told_channels(const RunRecord& run) {
   std::vector<std::string> names;
-  for (const std::string& name : find_slider_channels(run)) {
+  for (const std::string& name : find_motion_channels(run)) {
     if (name.ends_with("_acceleration")) names.push_back(name);
   }
   for (const Channel& effort : find_effort_channels(run)) names.push_back(effort.name);
@@ -91,9 +91,8 @@ std::string render_peak_table(const RunRecord& run) {
 std::string render_ideal_table(const RunRecord& run) {
   const StageRecord* ideal = find_stage(run, kIdealStageName);
   if (ideal == nullptr) return {};
-  HtmlTable table("Error of the slider motion against the ideal mechanism",
-                  {"channel", "stage", "largest", "at", "rms"}, 2);
-  for (const std::string& name : find_slider_channels(run)) {
+  HtmlTable table("Error of the motion against the ideal mechanism", {"channel", "stage", "largest", "at", "rms"}, 2);
+  for (const std::string& name : find_motion_channels(run)) {
     const auto channel = std::ranges::find(ideal->channels, name, &Channel::name);
     if (channel == ideal->channels.end()) continue;
     for (const StageRecord& stage : run.stages) {
