@@ -20,13 +20,17 @@ constexpr double kBytesAValue = 4.0 * 4.0 / 3.0;  // single precision in base64
 }  // namespace
 
 double find_full_cycles(const RunRecord& run, std::size_t bytes) {
-  const auto n_errors = static_cast<double>(find_motion_channels(run).size());
+  const auto n_motions = static_cast<double>(find_motion_channels(run).size());
+  // Signals over time keep their reduced past: motions with their errors, efforts, contact forces, the time itself,
+  // which is of double precision.
+  const double n_over_time = 2.0 * n_motions + static_cast<double>(find_effort_channels(run).size()) +
+                             static_cast<double>(find_clearance_joints(run).size()) + 2.0;
   double reduced = 0.0;    // [bytes] whatever the number of full cycles
   double per_cycle = 0.0;  // [bytes]
   for (const StageRecord& stage : run.stages) {
     const auto n_read = std::ranges::count_if(stage.values, [](const auto& values) { return !values.empty(); });
-    const double n_signals = static_cast<double>(n_read) + n_errors + 2.0;  // times are of double precision
-    reduced += kBytesAValue * n_signals * std::min(2.0 * kReducedSpans, static_cast<double>(stage.time.size()));
+    const double n_signals = static_cast<double>(n_read) + n_motions + 2.0;
+    reduced += kBytesAValue * n_over_time * std::min(2.0 * kReducedSpans, static_cast<double>(stage.time.size()));
     per_cycle += kBytesAValue * n_signals * static_cast<double>(find_cycle_samples(stage));
   }
   if (!(per_cycle > 0.0)) return kMostFullCycles;
