@@ -20,8 +20,10 @@ export function printQuantity(value, unit) {
 export function findTicks(begin, end, wanted, unit) {
   const raw = (end - begin) / Math.max(1, wanted);
   const decade = 10 ** Math.floor(Math.log10(raw));
-  let step = [1, 2, 5, 10].map((part) => part * decade).find((one) => one >= raw * 0.999999);
-  if (unit === '°' && raw > 5) step = [10, 15, 30, 45, 60, 90, 180, 360].find((one) => one >= raw * 0.999999) ?? step;
+  // A little closer than wanted rather than much too far apart.
+  const isWide = (one) => one >= raw * 0.7;
+  let step = [1, 2, 5, 10].map((part) => part * decade).find(isWide);
+  if (unit === '°' && raw > 5) step = [10, 15, 30, 45, 60, 90, 180, 360].find(isWide) ?? step;
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const places = [];
   for (let k = Math.ceil(begin / step - 1e-9); k * step <= end + 1e-9 * step; ++k) places.push(k * step);

@@ -12,7 +12,7 @@ namespace gudgeon {
 
 /// [bytes] that the numbers of a page may take, of the 15 MB that mail and browsers take well; the rest is for model
 /// texts, tables, script.
-inline constexpr std::size_t kPageNumbers = 12'500'000;
+inline constexpr std::size_t kPageNumbers = 11'500'000;
 
 /// Cycles at the end of every stage that the page can hold in full within so many bytes; at most kMostFullCycles.
 double find_full_cycles(const RunRecord& run, std::size_t bytes);
