@@ -24,7 +24,7 @@ export async function openReport(browser, file, { width = 1280, scheme = 'light'
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && page.complaints.push(message.text()));
   page.on('pageerror', (error) => page.complaints.push(error.message));
   page.on('request', (request) => /^(https?|wss?):/.test(request.url()) && page.complaints.push(request.url()));
-  await page.goto(pathToFileURL(file).href);
+  await page.goto(pathToFileURL(file).href, { timeout: 120_000 });
   await page.waitForSelector('html[data-ready]');
   return page;
 }
