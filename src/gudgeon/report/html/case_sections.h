@@ -21,7 +21,4 @@ std::string render_solver_table(const RunRecord& run);
 std::string render_stated_values(const ReportCase& one);
 std::string render_repetition(const ReportCase& one);
 
-/// "finished", "stopped", "failed".
-const char* print_status(StageStatus status);
-
 }  // namespace gudgeon

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "gudgeon/base/diagnostics.h"
@@ -12,6 +13,7 @@
 #include "gudgeon/report/html/case_sections.h"
 #include "gudgeon/report/html/html_text.h"
 #include "gudgeon/report/number_format.h"
+#include "gudgeon/report/stage_section.h"
 
 namespace gudgeon {
 
@@ -87,7 +89,7 @@ std::string render_simulated(const ReportCase& one) {
     if (stage.status == StageStatus::finished) continue;
     html += make_paragraph(
         fmt::format("Stage “{}” {} at {} after {} counted cycles: what it recorded is shown.", label_stage(stage.name),
-                    print_status(stage.status), format_engineering(stage.end_time, "s"), stage.cycles),
+                    name_status(stage.status), format_engineering(stage.end_time, "s"), stage.cycles),
         "warning");
   }
   if (one.run.stages.empty()) html += make_paragraph("The run file holds no stage.", "warning");

@@ -13,6 +13,7 @@
 #include "gudgeon/report/html/html_text.h"
 #include "gudgeon/report/joint_section.h"
 #include "gudgeon/report/number_format.h"
+#include "gudgeon/report/stage_section.h"
 
 namespace gudgeon {
 
@@ -36,18 +37,6 @@ void add_stage_row(HtmlTable& table, const RunRecord& run, std::string name, Pri
 }
 
 }  // namespace
-
-const char* print_status(StageStatus status) {
-  switch (status) {
-    case StageStatus::finished:
-      return "finished";
-    case StageStatus::stopped:
-      return "stopped";
-    case StageStatus::failed:
-      return "failed";
-  }
-  return "";
-}
 
 std::string render_wear_table(const RunRecord& run) {
   HtmlTable table("What each stage wears away, magnified",
@@ -115,7 +104,7 @@ std::string render_solver_table(const RunRecord& run) {
   const auto add_real = [&](const char* name, const char* unit, double SolverStatistics::*member) {
     add_stage_row(table, run, name, [&](const StageRecord& s) { return format_engineering(s.solver.*member, unit); });
   };
-  add_stage_row(table, run, "status", [](const StageRecord& s) { return std::string(print_status(s.status)); });
+  add_stage_row(table, run, "status", [](const StageRecord& s) { return std::string(name_status(s.status)); });
   add_stage_row(table, run, "counted cycles", [](const StageRecord& s) { return format_count(s.cycles); });
   add_stage_row(table, run, "time reached", [](const StageRecord& s) { return format_engineering(s.end_time, "s"); });
   add_count("evaluations", &SolverStatistics::evaluations);
@@ -131,7 +120,7 @@ std::string render_solver_table(const RunRecord& run) {
   for (const StageRecord& stage : run.stages) {
     if (stage.message.empty()) continue;
     html += make_paragraph(
-        fmt::format("Stage “{}” {}: {}", label_stage(stage.name), print_status(stage.status), stage.message),
+        fmt::format("Stage “{}” {}: {}", label_stage(stage.name), name_status(stage.status), stage.message),
         "warning");
   }
   return html;
