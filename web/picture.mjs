@@ -10,9 +10,9 @@ const page = await openReport(browser, report, { width: 1100 });
 await page.evaluate(() => {
   for (const id of ['simulated', 'published']) document.getElementById(`base-${id}`)?.remove();
   for (const table of document.querySelectorAll('.table, .note')) table.remove();
-  document.querySelector('.mechanism').panel.player.show(4.62);
+  document.querySelector('.mechanism').panel.player.show(5.1);
 });
-await page.setViewportSize({ width: 1100, height: 1180 });
+await page.setViewportSize({ width: 1100, height: 1330 });
 await page.waitForTimeout(500);
 await page.screenshot({ path: output });
 await browser.close();
