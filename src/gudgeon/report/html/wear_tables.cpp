@@ -120,8 +120,7 @@ std::string render_solver_table(const RunRecord& run) {
   for (const StageRecord& stage : run.stages) {
     if (stage.message.empty()) continue;
     html += make_paragraph(
-        fmt::format("Stage “{}” {}: {}", label_stage(stage.name), name_status(stage.status), stage.message),
-        "warning");
+        fmt::format("Stage “{}” {}: {}", label_stage(stage.name), name_status(stage.status), stage.message), "warning");
   }
   return html;
 }
