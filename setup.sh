@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: gudgeon contributors
 # SPDX-License-Identifier: Apache-2.0
 #
-# Installs the Debian packages that gudgeon is built with, those that are missing. Needs root or sudo only for that.
+# Installs the Debian packages that gudgeon is built and tested with, those that are missing. Needs root or sudo only for that.
 set -euo pipefail
 
 packages=(
@@ -10,7 +10,16 @@ packages=(
   libeigen3-dev libboost-dev libmuparser-dev libtomlplusplus-dev libfmt-dev libcli11-dev libhdf5-dev libsundials-dev
   libxsimd-dev
   libgtest-dev libgmock-dev libbenchmark-dev
+  chromium fonts-dejavu-core librsvg2-bin
 )
+
+# Node.js bundles the report's page. One that is there already, wherever it came from, is as good as Debian's.
+has_node() {
+  local version
+  command -v npm >/dev/null && version="$(node --version 2>/dev/null)" && [[ "$version" =~ ^v([0-9]+)\. ]] &&
+    ((BASH_REMATCH[1] >= 18))
+}
+has_node || packages+=(nodejs npm)
 
 is_installed() {
   [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]

@@ -18,6 +18,8 @@
 #include "gudgeon/app/info_command.h"
 #include "gudgeon/app/kinematics_command.h"
 #include "gudgeon/app/laws_command.h"
+#include "gudgeon/app/plot_command.h"
+#include "gudgeon/app/report_command.h"
 #include "gudgeon/app/run_command.h"
 #include "gudgeon/app/text_output.h"
 #include "gudgeon/base/diagnostics.h"
@@ -32,6 +34,8 @@ A first session:
   gudgeon kinematics press.toml               how does it move with ideal joints?
   gudgeon equilibrium press.toml              where does it stay at rest?
   gudgeon run press.toml                      simulate, wear, summarise
+  gudgeon report runs/press                   the study as one page to look at
+  gudgeon plot runs/press -o figures          its figures for print
   gudgeon info runs/press/base.h5             look at a run again
   gudgeon export runs/press/base.h5 -o csv    its channels as CSV
   gudgeon laws friction                       what laws are there?
@@ -114,6 +118,8 @@ void add_commands(CLI::App& program, Action& action) {
   add_run_command(program, action);
   add_info_command(program, action);
   add_export_command(program, action);
+  add_report_command(program, action);
+  add_plot_command(program, action);
   add_laws_command(program, action);
 }
 

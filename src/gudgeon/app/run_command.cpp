@@ -17,6 +17,7 @@
 #include "gudgeon/app/case_runner.h"
 #include "gudgeon/app/command_line.h"
 #include "gudgeon/app/model_options.h"
+#include "gudgeon/app/report_command.h"
 #include "gudgeon/app/text_output.h"
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/safe_file.h"
@@ -35,6 +36,7 @@ struct RunOptions {
   bool overwrite = false;
   bool resume = false;
   bool quiet = false;
+  bool report = false;
 };
 
 /// A case's name as a file's: whatever could mean something to a shell or a file system becomes '_'.
@@ -153,6 +155,14 @@ ExitCode find_exit_code(const std::vector<CaseRun>& cases, int signal) {
   return ExitCode::done;
 }
 
+/// The report of the directory, when any case left something in it; the run's own failure goes before the report's.
+ExitCode add_report(const std::vector<CaseRun>& cases, ExitCode code) {
+  if (std::ranges::none_of(cases, &CaseRun::is_written)) return code;
+  const std::filesystem::path directory = cases.front().file.parent_path();
+  const ExitCode report = write_report(directory, find_report_file(directory));
+  return code == ExitCode::done ? report : code;
+}
+
 ExitCode run_run(const RunOptions& options) {
   const Existing existing =
       options.resume ? Existing::resume : (options.overwrite ? Existing::replace : Existing::refuse);
@@ -160,6 +170,7 @@ ExitCode run_run(const RunOptions& options) {
   require_all_sound(cases);
   place_outputs(cases, options);
   prepare_outputs(cases, existing);
+  if (options.report) check_target(find_report_file(cases.front().file.parent_path()), existing != Existing::refuse);
   if (!options.quiet) print_warnings(cases.front());
   // A closed pipe must not end a long computation; what it loses is only text.
   std::signal(SIGPIPE, SIG_IGN);
@@ -168,7 +179,8 @@ ExitCode run_run(const RunOptions& options) {
   ProgressDisplay display(options.quiet ? ProgressStyle::silent : find_progress_style(), names);
   const int signal = run_cases(cases, options.n_threads, existing, display);
   print_results(cases, options.quiet);
-  return find_exit_code(cases, signal);
+  const ExitCode code = find_exit_code(cases, signal);
+  return options.report ? add_report(cases, code) : code;
 }
 
 }  // namespace
@@ -190,6 +202,7 @@ void add_run_command(CLI::App& program, Action& action) {
   CLI::Option* overwrite = command->add_flag("--overwrite", options->overwrite, "Replace existing run files");
   command->add_flag("--resume", options->resume, "Go on after the stages that existing run files hold as finished")
       ->excludes(overwrite);
+  command->add_flag("--report", options->report, "Also write the report of the directory, report.html");
   command->add_flag("--quiet", options->quiet, "Print only the paths written and what went wrong");
   command->footer(
       "\nExamples:\n  gudgeon run press.toml -o runs/first\n  gudgeon run press.toml --all-cases --threads 4\n"

@@ -19,18 +19,6 @@ namespace gudgeon {
 
 namespace {
 
-const char* name_status(StageStatus status) {
-  switch (status) {
-    case StageStatus::finished:
-      return "finished";
-    case StageStatus::stopped:
-      return "stopped";
-    case StageStatus::failed:
-      return "failed";
-  }
-  return "";
-}
-
 /// A table with a text column and a right-aligned one a stage.
 Table make_stage_columns(const RunRecord& run, std::string first) {
   std::vector<TableColumn> columns{{std::move(first), Alignment::left}};
@@ -61,6 +49,18 @@ std::vector<Channel> find_peak_channels(const RunRecord& run) {
 }
 
 }  // namespace
+
+const char* name_status(StageStatus status) {
+  switch (status) {
+    case StageStatus::finished:
+      return "finished";
+    case StageStatus::stopped:
+      return "stopped";
+    case StageStatus::failed:
+      return "failed";
+  }
+  return "";
+}
 
 std::string render_stages(const RunRecord& run, bool color) {
   if (run.stages.empty()) return render_title("No stage was run", color);

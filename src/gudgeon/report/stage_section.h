@@ -10,6 +10,9 @@
 
 namespace gudgeon {
 
+/// "finished", "stopped", "failed".
+const char* name_status(StageStatus status);
+
 /// What each stage took, and why it ended when it did not finish.
 std::string render_stages(const RunRecord& run, bool color);
 

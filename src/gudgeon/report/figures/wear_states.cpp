@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Worn surfaces, state after state.
+#include "gudgeon/report/figures/wear_states.h"
+
+#include <algorithm>
+
+#include "gudgeon/analysis/wear_summary.h"
+#include "gudgeon/report/figures/case_figures.h"
+#include "gudgeon/results/regions.h"
+
+namespace gudgeon {
+
+namespace {
+
+bool has_depth(const std::vector<double>& depth) {
+  return std::ranges::any_of(depth, [](double d) { return d > 0.0; });
+}
+
+std::vector<double> add_depths(std::vector<double> worn, const std::vector<double>& added) {
+  if (worn.size() != added.size()) return worn;
+  std::ranges::transform(worn, added, worn.begin(), std::plus<>());
+  return worn;
+}
+
+SurfaceProfile make_round(const char* name, double radius, double outwards, const std::vector<double>& depth) {
+  SurfaceProfile profile{name, std::string("Angle in the ") + name, "rad", radius, outwards, nullptr, nullptr};
+  std::vector<double> angles;
+  for (std::size_t k = 0; k < depth.size(); ++k) angles.push_back(find_region_angle(k, depth.size()));
+  profile.position = make_numbers(std::move(angles));
+  profile.depth = make_numbers(depth);
+  return profile;
+}
+
+}  // namespace
+
+std::vector<WearState> find_wear_states(const RunRecord& run, const std::string& joint) {
+  std::vector<WearState> states;
+  for (std::size_t k = 1; k < run.stages.size(); ++k) {
+    const JointWear* wear = find_wear(run.stages[k], joint);
+    if (wear == nullptr || !(has_depth(wear->bearing_depth) || has_depth(wear->journal_depth))) continue;
+    states.push_back({label_stage(run.stages[k].name), run.stages[k].name, wear->bearing_depth, wear->journal_depth,
+                      find_accumulated_depth(run, k - 1, joint)});
+  }
+  if (!states.empty() || run.stages.empty()) return states;
+  const StageRecord& last = run.stages.back();
+  const JointWear* wear = find_wear(last, joint);
+  if (wear == nullptr || !has_depth(wear->total_depth_added)) return states;
+  states.push_back({"after " + label_stage(last.name), last.name,
+                    add_depths(wear->bearing_depth, wear->bearing_depth_added),
+                    add_depths(wear->journal_depth, wear->journal_depth_added),
+                    find_accumulated_depth(run, run.stages.size() - 1, joint)});
+  return states;
+}
+
+std::vector<SurfaceProfile> split_bearing(const JointWear& wear, const std::vector<double>& depth) {
+  return {make_round("bearing", wear.bearing_radius, 1.0, depth)};
+}
+
+std::vector<SurfaceProfile> split_journal(const JointWear& wear, const std::vector<double>& depth) {
+  return {make_round("journal", wear.journal_radius, -1.0, depth)};
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a case's page says in words and tables, section by section; a section with nothing to say is empty.
+#pragma once
+
+#include <string>
+
+#include "gudgeon/report/html/report_case.h"
+
+namespace gudgeon {
+
+std::string render_simulated(const ReportCase& one);
+std::string render_published_values(const ReportCase& one);
+std::string render_peak_table(const RunRecord& run);
+std::string render_ideal_table(const RunRecord& run);
+std::string render_wear_table(const RunRecord& run);
+std::string render_contact_table(const RunRecord& run);
+std::string render_energy_table(const RunRecord& run);
+std::string render_solver_table(const RunRecord& run);
+std::string render_stated_values(const ReportCase& one);
+std::string render_repetition(const ReportCase& one);
+
+}  // namespace gudgeon

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The report of a short nine-bar run in Chromium: it plays, switches, zooms and exports, and it shows the run file's numbers.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { openBrowser, openReport, readDownload, showFigure } from './browser.mjs';
+import { findExample, gudgeon, makeReport, readColumn, removeFolder } from './runs.mjs';
+
+let browser;
+let page;
+let report;
+
+before(async () => {
+  report = makeReport(findExample('nine_bar/nine_bar.toml'), 'press', ['study.cycles=2', 'study.warm_up_cycles=1', 'study.magnification=20000'],
+    { cases: ['base', 'clearance_0_3'] });
+  gudgeon('export', 'press/base.h5', '-o', 'csv');
+  browser = await openBrowser();
+  page = await openReport(browser, report);
+});
+
+after(async () => {
+  await browser?.close();
+  removeFolder();
+});
+
+const findRange = (name) => page.evaluate((id) => document.getElementById(id).card.chart.findRanges(), `figure-${name}`);
+const findPicture = (name) => page.evaluate((id) => document.getElementById(id).querySelector('canvas').toDataURL(), `figure-${name}`);
+const findTime = () => page.evaluate(() => document.querySelector('article:not([hidden]) .mechanism').panel.player.time);
+
+/** Every value within single precision of the scale of its column. */
+function assertSame(ours, theirs, what) {
+  assert.equal(ours.length, theirs.length, what);
+  const scale = Math.max(...theirs.map(Math.abs));
+  ours.forEach((value, k) => assert.ok(Math.abs(value - theirs[k]) <= 1.2e-7 * scale, `${what}, sample ${k}: ${value} and ${theirs[k]}`));
+}
+
+/** Elements wider than the screen that do not scroll by themselves. */
+const findWhatSticksOut = (one) => one.evaluate(() => [...document.querySelectorAll('body *')]
+  .filter((element) => element.getBoundingClientRect().right > innerWidth + 1 && !element.closest('.table, pre, nav'))
+  .map((element) => `${element.tagName} ${element.className} ${element.textContent.slice(0, 40)}`));
+
+const readTable = (bytes) => {
+  const [header, ...rows] = bytes.toString().trim().split('\n').map((row) => row.split(','));
+  return { header, column: (name) => rows.map((row) => Number(row[header.findIndex((one) => one.startsWith(name))])) };
+};
+
+test('the mechanism plays, pauses, steps and is scrubbed', async () => {
+  const panel = page.locator('article:not([hidden]) .mechanism');
+  await panel.locator('button[aria-label="Play"]').click();
+  const start = await findTime();
+  await page.waitForFunction((t) => document.querySelector('.mechanism').panel.player.time !== t, start);
+  await panel.locator('button[aria-label="Pause"]').click();
+  const paused = await findTime();
+  await page.waitForTimeout(100);
+  assert.equal(await findTime(), paused);
+  await panel.locator('button[aria-label="One sample on"]').click();
+  const first = await findTime();
+  await panel.focus();
+  await page.keyboard.press('ArrowRight');
+  assert.ok(Math.abs((await findTime()) - first - 0.002) < 1e-9, 'a key steps one of 500 samples a cycle of 1 s');
+  await panel.locator('input[type=range]').fill('0');
+  assert.equal(await findTime(), await page.evaluate(() => document.querySelector('.mechanism').panel.motion.begin));
+  await page.keyboard.press('End');
+});
+
+test('playing loops one cycle', async () => {
+  const times = await page.evaluate(async () => {
+    const { player, loopBox } = document.querySelector('.mechanism').panel;
+    player.show(1.5);
+    loopBox.click();
+    const seen = [];
+    const show = player.show.bind(player);
+    player.show = (t) => { seen.push(t); show(t); };
+    player.speed = 20;
+    player.play();
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    player.pause();
+    delete player.show;
+    player.speed = 0.25;
+    loopBox.click();
+    return seen;
+  });
+  assert.ok(times.some((t, k) => k > 0 && t < times[k - 1]), 'it began again');
+  assert.ok(Math.max(...times) - Math.min(...times) <= 1 + 1e-9, 'within one cycle');
+});
+
+test('the time cursor runs through the plots', async () => {
+  await showFigure(page, 'base.slider_9.x');
+  const positions = await page.evaluate(() => [2.2, 2.7].map((t) => {
+    document.querySelector('.mechanism').panel.player.show(t);
+    const { cursor, plot } = document.getElementById('figure-base.slider_9.x').card.chart;
+    return [new DOMMatrix(getComputedStyle(cursor).transform).m41, plot.valToPos(t, 'x')];
+  }));
+  for (const [shown, expected] of positions) assert.ok(Math.abs(shown - expected) < 0.51);
+  assert.ok(positions[1][0] > positions[0][0]);
+});
+
+test('bodies stand where the run file has them', async () => {
+  const k = 777;
+  const time = Number(readColumn('csv', 'no_wear_channels.csv', 'time')[k]);
+  const shown = await page.evaluate((t) => {
+    const { motion } = document.querySelector('.mechanism').panel;
+    return Object.fromEntries(motion.scene.bodies.map((body, b) => [body.name, motion.findPoses(t)[b]]));
+  }, time);
+  for (const body of ['crank_1', 'rod_2', 'panel_7', 'slider_9']) {
+    for (const part of ['x', 'y', 'angle']) {
+      const stored = Number(readColumn('csv', 'no_wear_channels.csv', `${body}.${part} `)[k]);
+      assert.ok(Math.abs(shown[body][part] - stored) < 2e-6, `${body}.${part}: ${shown[body][part]} and ${stored}`);
+    }
+  }
+});
+
+test('the legend takes a stage away and brings it back', async () => {
+  const figure = await showFigure(page, 'base.A.normal_force');
+  const full = await findPicture('base.A.normal_force');
+  const button = figure.locator('.legend button', { hasText: 'no wear' });
+  await button.click();
+  assert.equal(await button.getAttribute('aria-pressed'), 'false');
+  await page.waitForTimeout(50);
+  assert.notEqual(await findPicture('base.A.normal_force'), full);
+  await button.click();
+  await page.mouse.move(0, 0);
+  await page.waitForTimeout(50);
+  assert.equal(await findPicture('base.A.normal_force'), full);
+});
+
+test('dragging zooms, a double click and keys show more', async () => {
+  for (const name of ['base.slider_9.x_velocity', 'base.A.orbit']) {
+    const figure = await showFigure(page, name);
+    const before = await findRange(name);
+    const box = await figure.locator('canvas').first().boundingBox();
+    await page.mouse.move(box.x + 0.4 * box.width, box.y + 0.3 * box.height);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.6 * box.height, { steps: 4 });
+    await page.mouse.up();
+    await page.waitForTimeout(50);
+    const zoomed = await findRange(name);
+    const length = ({ x }) => x[1] - x[0];
+    assert.ok(length(zoomed) < 0.6 * length(before), `${name}: ${zoomed.x} from ${before.x}`);
+    await figure.locator('.chart').focus();
+    await page.keyboard.press('-');
+    assert.ok(length(await findRange(name)) > 1.5 * length(zoomed));
+    await page.mouse.dblclick(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
+    await page.waitForTimeout(50);
+    assert.ok(length(await findRange(name)) >= length(before) * 0.999);
+  }
+});
+
+test('data, pictures and readout of a figure come out', async () => {
+  const figure = await showFigure(page, 'base.slider_9.x_acceleration');
+  const csv = await readDownload(page, figure.locator('button', { hasText: 'CSV' }));
+  assert.equal(csv.name, 'base.slider_9.x_acceleration.csv');
+  const table = readTable(csv.bytes);
+  const stored = readColumn('csv', 'wear_1_channels.csv', 'slider_9.x_acceleration').map(Number);
+  assertSame(table.column('first wear'), stored, 'acceleration');
+  assertSame(table.column('Time'), readColumn('csv', 'wear_1_channels.csv', 'time').map(Number), 'time');
+  const svg = await readDownload(page, figure.locator('button', { hasText: 'SVG' }));
+  const seen = await page.evaluate((text) => {
+    const parsed = new DOMParser().parseFromString(text, 'image/svg+xml');
+    return { broken: parsed.querySelector('parsererror') !== null, lines: parsed.querySelectorAll('polyline').length, text: parsed.documentElement.textContent };
+  }, svg.bytes.toString());
+  assert.deepEqual([seen.broken, seen.lines], [false, 4]);
+  assert.match(seen.text, /Acceleration in x \(m\/s²\)/);
+  const png = await readDownload(page, figure.locator('button', { hasText: 'PNG' }));
+  assert.equal(png.bytes.subarray(1, 4).toString(), 'PNG');
+  assert.equal(png.bytes.readUInt32BE(16), 1440);
+  const box = await figure.locator('canvas').first().boundingBox();
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
+  assert.match(await figure.locator('.readout').textContent(), /s: ideal .*first wear [−\d]/);
+});
+
+test('wear depths are those of the run file', async () => {
+  const figure = await showFigure(page, 'base.B.wear_depth');
+  const { bytes } = await readDownload(page, figure.locator('button', { hasText: 'CSV' }));
+  const ofB = (file, start) => {
+    const joints = readColumn('csv', file, 'joint');
+    return readColumn('csv', file, start).filter((value, k) => joints[k] === 'B').map(Number);
+  };
+  const first = ofB('no_wear_wear.csv', 'total_depth_added');
+  const second = ofB('wear_1_wear.csv', 'total_depth_added').map((depth, k) => depth + first[k]);
+  assertSame(readTable(bytes).column('first wear'), first, 'first wear');
+  assertSame(readTable(bytes).column('second wear'), second, 'second wear');
+});
+
+test('tables tell the run file\'s peaks', async () => {
+  const channels = readColumn('csv', 'no_wear_statistics.csv', 'channel');
+  const peak = Number(readColumn('csv', 'no_wear_statistics.csv', 'maximum')[channels.indexOf('B.normal_force')]);
+  const row = page.locator('article:not([hidden]) .forces tr', { hasText: 'B.normal_force' }).filter({ hasText: 'no wear' });
+  const [value, unit] = (await row.locator('td').nth(1).textContent()).split(' ');
+  const told = Number(value) * { N: 1, kN: 1000 }[unit];
+  assert.ok(Math.abs(told - peak) <= 0.0005 * peak, `${told} and ${peak}`);
+  const assumed = page.locator('article:not([hidden]) .stated tr', { hasText: 'joints.A.width' });
+  assert.match(await assumed.textContent(), /20 mm\s*A/);
+});
+
+test('a case is chosen, cases stand side by side', async () => {
+  await page.selectOption('#case-choice', 'clearance_0_3');
+  assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll('article')].map((one) => [one.dataset.case, one.hidden])),
+    [['base', true], ['clearance_0_3', false]]);
+  await showFigure(page, 'clearance_0_3.A.orbit');
+  const figure = await showFigure(page, 'A.wear_depth_over_clearance');
+  assert.match(await figure.textContent(), /300\.0 µm: second wear.*500\.0 µm: second wear/);
+  await page.selectOption('#case-choice', 'base');
+});
+
+test('the page answers in 100 ms', async () => {
+  const times = await page.evaluate(() => {
+    const { player, motion } = document.querySelector('.mechanism').panel;
+    const cards = [...document.querySelectorAll('.figure')].map((one) => one.card).filter((card) => card.chart);
+    const measure = (act) => {
+      const start = performance.now();
+      act();
+      return performance.now() - start;
+    };
+    const median = (values) => values.sort((a, b) => a - b)[values.length >> 1];
+    const scrubs = Array.from({ length: 15 }, (unused, k) => measure(() => player.show(motion.begin + 0.1 * k)));
+    const redraws = cards.map((card) => measure(() => card.chart.zoomBy(0.9)));
+    return { scrub: median(scrubs), redraw: median(redraws), figures: cards.length };
+  });
+  assert.ok(times.figures > 5);
+  assert.ok(times.scrub < 100 && times.redraw < 100, JSON.stringify(times));
+});
+
+test('it is dark or light as the reader wants, and fits a phone', async () => {
+  const ground = (one) => one.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const light = await ground(page);
+  await page.click('#theme');
+  assert.notEqual(await ground(page), light);
+  await page.click('#theme');
+  const phone = await openReport(browser, report, { width: 400, scheme: 'dark' });
+  assert.notEqual(await ground(phone), light);
+  await showFigure(phone, 'base.A.surfaces');
+  await phone.evaluate(() => scrollTo(0, 0));
+  assert.deepEqual(await findWhatSticksOut(phone), []);
+  assert.deepEqual(phone.complaints, []);
+  await phone.context().close();
+});
+
+test('nothing complained, nothing was asked of the network', () => assert.deepEqual(page.complaints, []));
