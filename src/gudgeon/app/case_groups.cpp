@@ -20,19 +20,6 @@ struct CaseTraits {
   std::vector<NamedText> others;   ///< changes of anything else, sorted
 };
 
-double find_clearance(const AnyJoint& kind) {
-  return std::visit(
-      []<class Kind>(const Kind& joint) {
-        if constexpr (requires { joint.radial_clearance; })
-          return joint.radial_clearance;
-        else if constexpr (requires { joint.clearance; })
-          return joint.clearance;
-        else
-          return std::nan("");
-      },
-      kind);
-}
-
 CaseTraits find_traits(const ReadRun& run) {
   CaseTraits traits;
   traits.run = &run;
