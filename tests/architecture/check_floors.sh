@@ -38,7 +38,7 @@ awk -v prefix="$source_root/" '
     room["hdf5"] = "io"; room["H5"] = "io"; room["toml++/"] = "io"
     room["CLI/"] = "app"
     room["boost/"] = "laws system sim"
-    room["muParser"] = "base"
+    room["muParser"] = "base"; room["xsimd/"] = "base"
     room["sundials/"] = "sim"; room["cvode/"] = "sim"; room["nvector/"] = "sim"
     room["sunlinsol/"] = "sim"; room["sunmatrix/"] = "sim"
     room["Eigen/"] = "base geometry laws model system sim analysis"
