@@ -77,6 +77,16 @@ TEST(ReportCommand, BrokenFileIsNamedAndTheRestShown) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "runs/broken.html"));
 }
 
+TEST(ReportCommand, SameCaseTwiceIsShownOnce) {
+  const TemporaryFolder folder;
+  run_short(folder);
+  std::filesystem::copy_file(folder.path() / "runs/base.h5", folder.path() / "runs/copy.h5");
+  const Outcome outcome = run_program(folder, {"report", "runs"});
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("copy.h5: holds case 'base' as runs/base.h5 does"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "runs/report.html"));
+}
+
 TEST(ReportCommand, RunWritesItToo) {
   const TemporaryFolder folder;
   run_short(folder, {"--report"});

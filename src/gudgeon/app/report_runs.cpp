@@ -51,6 +51,15 @@ std::size_t find_rank(const ReadRun& one) {
   return 1 + static_cast<std::size_t>(found - one.model->cases.begin());
 }
 
+/// A page shows each case once.
+void require_new_case(const std::vector<ReadRun>& runs, const ReadRun& one) {
+  const auto known = std::ranges::find(runs, one.outline.case_name,
+                                       [](const ReadRun& run) -> const std::string& { return run.outline.case_name; });
+  if (known == runs.end()) return;
+  throw FileError(fmt::format("{}: holds case '{}' as {} does; report it by itself", one.file.string(),
+                              one.outline.case_name, known->file.string()));
+}
+
 void read_into(const std::filesystem::path& file, RunRecord& run, const std::optional<Scene>& scene) {
   for (StageRecord& stage : run.stages) {
     std::vector<std::string> channels = find_figure_channels(run, stage);
@@ -66,6 +75,7 @@ ReadRuns read_runs(const std::filesystem::path& path) {
   for (const std::filesystem::path& file : find_run_files(path)) {
     try {
       ReadRun one{file, read_run_outline(file), {}};
+      require_new_case(read.runs, one);
       one.model = read_stored_model(one.outline);
       read.runs.push_back(std::move(one));
     } catch (const FileError& error) {
