@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "gudgeon/system/assembly.h"
 #include "gudgeon/system/loop_folds.h"
 #include "tests/oracle/mechanism_parts.h"
@@ -51,7 +53,26 @@ TEST(Branches, BothAreReachedFromOneGuess) {
 
 TEST(Branches, PinsInSlotsHaveThem) {
   // The slot's line turns with the rocker, beyond the pin or before it.
-  expect_both_sides(oracle::make_quick_return(), "slot");
+  Mechanism mechanism = oracle::make_quick_return();
+  std::erase_if(mechanism.bodies, [](const Body& body) { return body.name == "rod" || body.name == "ram"; });
+  std::erase_if(mechanism.joints, [](const Joint& joint) {
+    return joint.name == "rod_pin" || joint.name == "ram_pin" || joint.name == "guide";
+  });
+  mechanism.loads.clear();
+  expect_both_sides(mechanism, "slot");
+}
+
+TEST(Branches, ABranchThatTheOtherLoopsCannotFollowIsAnError) {
+  // With the rocker hanging down, its rod does not reach the ram's guide.
+  Mechanism mechanism = oracle::make_quick_return();
+  const auto branches = assemble(mechanism).branches;
+  const auto slot = std::ranges::find(branches, "slot", &LoopBranch::joint);
+  ASSERT_NE(slot, branches.end());
+  mechanism.joints[find_joint(mechanism, "slot")].branch = slot->fold > 0.0 ? Branch::right : Branch::left;
+  const auto found = catch_diagnostics([&] { assemble(mechanism); });
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].code, "E-MODEL-077");
+  EXPECT_EQ(found[0].path, "joints.slot.branch");
 }
 
 TEST(Branches, LoopsBehindDriversBetweenBodiesHaveThem) {

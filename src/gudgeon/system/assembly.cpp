@@ -215,7 +215,7 @@ class Assembler {
       if (is_on_branch(find_joint_of(fold), folds_.find_angle(fold, at)) || !folds_.mirror(fold, at, q_.data()))
         continue;
       update();
-      if (!close_loops()) throw_open_loop();
+      if (!close_loops()) throw_missing_branch(find_joint_of(fold));
     }
     require_branches(mechanism_, tables_, folds_, workspace_.coordinates);
   }

@@ -13,6 +13,18 @@
 
 namespace gudgeon {
 
+namespace {
+
+void add_missing_branch(const Joint& joint, Diagnostics& diagnostics) {
+  diagnostics.error("E-MODEL-077", "joints." + joint.name + ".branch",
+                    fmt::format("joint '{}' cannot be assembled on the branch \"{}\"", joint.name,
+                                *joint.branch == Branch::left ? "left" : "right"),
+                    {"`gudgeon kinematics --branches` lists those that assemble; or leave the branch out and let the "
+                     "start angles choose"});
+}
+
+}  // namespace
+
 bool is_on_branch(const Joint& joint, const FoldAngle& angle) {
   return !joint.branch || (*joint.branch == Branch::left ? angle.sine > 0.0 : angle.sine < 0.0);
 }
@@ -39,13 +51,15 @@ void require_branches(const Mechanism& mechanism, const Tables& tables, const Lo
   for (const LoopFold& fold : folds.folds()) {
     const Joint& joint = mechanism.joints[tables.closures[fold.closure].joint];
     if (is_on_branch(joint, folds.find_angle(fold, coordinates))) continue;
-    diagnostics.error("E-MODEL-077", "joints." + joint.name + ".branch",
-                      fmt::format("joint '{}' cannot be assembled on the branch \"{}\"", joint.name,
-                                  *joint.branch == Branch::left ? "left" : "right"),
-                      {"`gudgeon kinematics --branches` lists those that assemble; or leave the branch out and let the "
-                       "start angles choose"});
+    add_missing_branch(joint, diagnostics);
   }
   if (diagnostics.has_errors()) throw ModelError(diagnostics);
+}
+
+void throw_missing_branch(const Joint& joint) {
+  Diagnostics diagnostics;
+  add_missing_branch(joint, diagnostics);
+  throw ModelError(diagnostics);
 }
 
 }  // namespace gudgeon
