@@ -274,5 +274,14 @@ TEST(Equilibrium, LoadsWithoutBalanceAreTold) {
   expect_no_equilibrium(mechanism, "'bar' at rest");
 }
 
+TEST(Equilibrium, ALoadWithoutAValueIsTold) {
+  Mechanism mechanism = make_pendulum(0.4);
+  mechanism.loads.push_back({"gust", VariableTorque{"bar", kFrameName, Expression{"1/0", {}}}});
+  expect_no_equilibrium(mechanism, "load 'gust' has no finite value");
+  mechanism.bodies[1].start = {};
+  mechanism.drivers.push_back({"motor", DrivenAngle{"bar"}, 0.4, 1.0});
+  expect_no_equilibrium(mechanism, "load 'gust' has no finite value");
+}
+
 }  // namespace
 }  // namespace gudgeon
