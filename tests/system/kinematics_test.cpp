@@ -134,6 +134,22 @@ TEST(KinematicSolver, TellsAChangePoint) {
   EXPECT_NEAR(0.7 + solver.failure()->time, std::numbers::pi, 1e-7);
 }
 
+TEST(KinematicSolver, ReachDoesNotDependOnTheStride) {
+  // The rod stands across the guide where r sin φ = l.
+  Mechanism mechanism = make_light_rod_slider_crank();
+  mechanism.bodies[1].points.back().position = {0.15, 0.0};
+  const double limit = std::asin(0.12 / 0.15);
+  for (const int n_steps : {1, 360, 36000}) {
+    KinematicSolver solver(mechanism);
+    const double cycle = kTurn / mechanism.drivers[0].speed;
+    int n_reached = 0;
+    while (n_reached < n_steps && solver.move_to(cycle * (n_reached + 1) / n_steps)) ++n_reached;
+    ASSERT_TRUE(solver.failure().has_value()) << n_steps;
+    EXPECT_EQ(solver.failure()->kind, MotionFailure::Kind::out_of_reach) << n_steps;
+    EXPECT_NEAR(mechanism.drivers[0].speed * solver.failure()->time, limit, 1e-9) << n_steps;
+  }
+}
+
 TEST(SlideMotion, IsSeenFromItsFirstBody) {
   // A block on a turning lever: the finite difference of its displacement gives speed and acceleration.
   Mechanism mechanism = oracle::make_six_bar_slide();
