@@ -31,8 +31,12 @@ constexpr int kMostCorrections = 12;
 // A correction [rad, shares of the size] beyond this means that the prediction was too far; branches of a loop are much
 // further apart but near a singular position, where the determinant's sign tells them from each other.
 constexpr double kLargestCorrection = 0.05;
-// Below this reciprocal condition of the closures the velocities have lost half of their digits.
-constexpr double kSingularShare = 1e-9;
+// Loops close to 1e-13 of the size. Where a loop is flat its fold shows in them as a square, so that an angle is known
+// to the root of that, 3e-7: below this reciprocal condition of the closures one branch cannot be told from the other.
+constexpr double kSingularShare = 1e-6;
+// Velocities that differ by more than this share of the largest one from what the accelerations foretell have a kink
+// between them, as where a step passes from one branch to another, or the step is too long to tell.
+constexpr double kKink = 0.05;
 // How far [rad, shares of the size] beyond the last point a failure is asked for its reason: there the branches that
 // met are apart again by far more than they are known to, and loops out of reach stay open by far more than rounding.
 constexpr double kLookBeyond = 1e-2;
@@ -174,7 +178,30 @@ bool KinematicSolver::try_step(double time) {
   for (std::size_t k = 0; k < point_.q.size(); ++k) {
     next_.q[k] = point_.q[k] + h * (point_.v[k] + 0.5 * h * point_.a[k]);
   }
-  return close_nearby(time) && find_orientation() == orientation_ && find_motion();
+  return close_nearby(time) && find_orientation() == orientation_ && find_motion() && !has_kink();
+}
+
+// Whether the velocities of next_ are not those that the current point foretells. A driver that leaves its rest does so
+// by jerk alone, in steps of any length: its own share in what is not foretold is allowed for.
+bool KinematicSolver::has_kink() {
+  const double h = next_.time - point_.time;
+  double jump = 0.0;
+  for (std::size_t k = 0; k < point_.v.size(); ++k) {
+    jump = std::max(jump, std::abs(next_.v[k] - point_.v[k] - h * point_.a[k]) / find_unit(k));
+  }
+  const double rate = std::max(find_largest_rate(point_), find_largest_rate(next_));
+  if (jump <= kKink * rate) return false;
+  const std::vector<DrivenValue> now = workspace_.coordinates.driven;
+  update_coordinates(system_.tables, point_.time, point_.q.data(), point_.v.data(), workspace_.coordinates);
+  const std::vector<DrivenValue> before = workspace_.coordinates.driven;
+  double share = 0.0;
+  for (std::size_t d = 0; d < now.size(); ++d) {
+    const double asked = std::max(std::abs(now[d].rate), std::abs(before[d].rate));
+    const double kink = std::abs(now[d].rate - before[d].rate - h * before[d].acceleration);
+    if (asked > 0.0) share = std::max(share, kink / asked);
+  }
+  eval_dynamics(system_.tables, next_.time, next_.q.data(), next_.v.data(), {}, {}, workspace_);
+  return jump > (kKink + share) * rate;
 }
 
 bool KinematicSolver::move_to(double time) {

@@ -58,6 +58,7 @@ class KinematicSolver {
  private:
   bool try_step(double time);
   bool close_nearby(double time);
+  [[nodiscard]] bool has_kink();
   [[nodiscard]] bool closes_beyond(double direction);
   bool close_loops();
   bool find_motion();
