@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "gudgeon/system/body_motion.h"
 #include "gudgeon/system/slide_motion.h"
@@ -131,7 +132,51 @@ TEST(KinematicSolver, TellsAChangePoint) {
   EXPECT_FALSE(solver.move_to(5.0));
   ASSERT_TRUE(solver.failure().has_value());
   EXPECT_EQ(solver.failure()->kind, MotionFailure::Kind::singular);
-  EXPECT_NEAR(0.7 + solver.failure()->time, std::numbers::pi, 1e-7);
+  // The motion ends where 0.4 sin φ, the least pivot against the coupler's 1, is 1e-6.
+  EXPECT_NEAR(0.7 + solver.failure()->time, std::numbers::pi, 1.01e-6 / 0.4);
+}
+
+TEST(KinematicSolver, PassesNoChangePointInSteps) {
+  // Steps of a degree that step over half a turn, and of half a degree that land on it.
+  for (const auto& [n_steps, n_expected] : {std::pair{360, 179}, std::pair{720, 358}}) {
+    const double start = std::numbers::pi / 360.0;
+    KinematicSolver solver(make_driven_bars(0.1, 0.3, 0.1, 0.3, start, 0.0, start));
+    int n_reached = 0;
+    while (n_reached < n_steps && solver.move_to(kTurn * (n_reached + 1) / n_steps)) ++n_reached;
+    ASSERT_TRUE(solver.failure().has_value()) << n_steps;
+    EXPECT_EQ(n_reached, n_expected) << n_steps;
+    EXPECT_EQ(solver.failure()->kind, MotionFailure::Kind::singular) << n_steps;
+    EXPECT_NEAR(start + solver.failure()->time, std::numbers::pi, 1e-5) << n_steps;
+    EXPECT_NEAR(solver.point().q[1], start + solver.point().time, 1e-5) << "the rocker keeps to the crank's angle";
+  }
+}
+
+TEST(KinematicSolver, ReachDoesNotDependOnTheStride) {
+  // The rod stands across the guide where r sin φ = l.
+  Mechanism mechanism = make_light_rod_slider_crank();
+  mechanism.bodies[1].points.back().position = {0.15, 0.0};
+  const double limit = std::asin(0.12 / 0.15);
+  for (const int n_steps : {1, 360, 36000}) {
+    KinematicSolver solver(mechanism);
+    const double cycle = kTurn / mechanism.drivers[0].speed;
+    int n_reached = 0;
+    while (n_reached < n_steps && solver.move_to(cycle * (n_reached + 1) / n_steps)) ++n_reached;
+    ASSERT_TRUE(solver.failure().has_value()) << n_steps;
+    EXPECT_EQ(solver.failure()->kind, MotionFailure::Kind::out_of_reach) << n_steps;
+    EXPECT_NEAR(mechanism.drivers[0].speed * solver.failure()->time, limit, 1e-9) << n_steps;
+  }
+}
+
+TEST(KinematicSolver, FollowsADriverThatLeavesItsRestByJerk) {
+  Mechanism mechanism = make_driven_bars(0.1, 0.4, 0.3, 0.4, 0.0, 0.9, 1.6);
+  mechanism.drivers[0] = {"motor", DrivenAngle{"crank"}, 0.0, 0.0, Expression{"1 + t^3", {}}};
+  KinematicSolver solver(mechanism);
+  for (int i = 1; i <= 20; ++i) ASSERT_TRUE(solver.move_to(0.05 * i)) << i;
+  KinematicSolver uniform(make_driven_bars(0.1, 0.4, 0.3, 0.4, 1.0, 0.9, 1.6));
+  ASSERT_TRUE(uniform.move_to(1.0));
+  for (std::size_t k = 0; k < uniform.point().q.size(); ++k) {
+    EXPECT_NEAR(solver.point().q[k], uniform.point().q[k], 1e-11) << "both have turned the crank to 2 rad";
+  }
 }
 
 TEST(SlideMotion, IsSeenFromItsFirstBody) {

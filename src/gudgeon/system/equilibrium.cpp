@@ -15,6 +15,7 @@
 #include "gudgeon/system/dynamics.h"
 #include "gudgeon/system/equilibrium_modes.h"
 #include "gudgeon/system/held_mechanism.h"
+#include "gudgeon/system/load_forces.h"
 #include "gudgeon/system/poses.h"
 
 namespace gudgeon {
@@ -126,6 +127,9 @@ class EquilibriumFinder {
       const Index n = chart.size();
       if (!chart.move_to(VectorXd::Zero(n))) return false;
       const VectorXd force = chart.find_acceleration(VectorXd::Zero(n));
+      // Where nothing is free to move no acceleration shows it.
+      lost_load_ = find_lost_load(chart.workspace());
+      if (lost_load_ >= 0) return false;
       note_residual(chart, force);
       if (residual_ == 0.0) return true;
       if (!std::isfinite(residual_)) return false;
@@ -241,10 +245,15 @@ class EquilibriumFinder {
   }
 
   [[noreturn]] void throw_not_found() {
+    if (lost_load_ >= 0) {
+      throw NumericalError(fmt::format(
+          "E-NUM-011: no equilibrium was found: load '{}' has no finite value (a formula outside its range, a spring "
+          "whose points meet); correct it, or give other start angles",
+          held_.loads[lost_load_].name));
+    }
     if (!std::isfinite(residual_)) {
       throw NumericalError(
-          "E-NUM-011: no equilibrium was found: the mechanism got to a singular position, or a load has no finite "
-          "value; give other start angles");
+          "E-NUM-011: no equilibrium was found: the mechanism got to a singular position; give other start angles");
     }
     throw NumericalError(fmt::format(
         "E-NUM-011: no equilibrium was found: {} steps from the start, {}; the loads balance in no position "
@@ -258,6 +267,7 @@ class EquilibriumFinder {
   System system_;
   VectorXd q_;
   double residual_ = 0.0;
+  int lost_load_ = -1;    // without a finite value where Newton's method was last; -1: none
   std::string restless_;  // what accelerates most, in words
   int iterations_ = 0;
   std::vector<Equilibrium> found_;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
 
 namespace gudgeon {
 
@@ -20,9 +21,15 @@ using Eigen::VectorXd;
 
 // Fourth-order differences: truncation h⁴ = 1e-16 and rounding 1e-16/h are both far below what is told apart here.
 constexpr double kModeStep = 1e-4;
-// Differences leave 1e-11 of the stiffness; an eigenvalue is its root. What is slower than this share of the fastest
-// motion, or than this [1/s], counts as neutral.
-constexpr double kNeutral = 1e-5;
+// Differences leave 1e-11 of the stiffness. Directions with less than this share of the largest one, or than this
+// [1/s^2], are neutral, whatever damps them.
+constexpr double kNeutral = 1e-10;
+// Differences leave 1e-11 of the damping, too: a neutral direction with less than this share of the largest one, or
+// than this [1/s], drifts on by itself.
+constexpr double kFreeDrift = 1e-9;
+// Of an undamped motion the growing and the decaying eigenvalue are opposite but for this share: the root of the 1e-11
+// that differences leave, and some more.
+constexpr double kOpposite = 1e-5;
 // Damping is known to some 1e-10 of the eigenvalue.
 constexpr double kUndamped = 1e-7;
 
@@ -55,6 +62,28 @@ MatrixXd find_state_matrix(MotionChart& chart) {
   return matrix;
 }
 
+// How many eigenvalues are zero, and how many directions nothing brings back.
+struct NeutralCount {
+  Index n_eigenvalues = 0;
+  Index n_directions = 0;
+};
+
+// K v = 0 gives one eigenvalue zero, and another one where nothing damps v either.
+NeutralCount count_neutral(const MatrixXd& state_matrix) {
+  const Index n = state_matrix.rows() / 2;
+  const MatrixXd stiffness = state_matrix.bottomLeftCorner(n, n);
+  const MatrixXd damping = state_matrix.bottomRightCorner(n, n);
+  const Eigen::JacobiSVD<MatrixXd> split(stiffness, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double least = kNeutral * std::max(1.0, stiffness.cwiseAbs().maxCoeff());
+  const Index n_directions = (split.singularValues().array() <= least).count();
+  if (n_directions == 0) return {};
+  const MatrixXd left =
+      split.matrixU().rightCols(n_directions).transpose() * damping * split.matrixV().rightCols(n_directions);
+  const double slowest = kFreeDrift * std::max(1.0, damping.cwiseAbs().maxCoeff());
+  const Eigen::JacobiSVD<MatrixXd> drift(left);
+  return {n_directions + (drift.singularValues().array() <= slowest).count(), n_directions};
+}
+
 EquilibriumMode make_mode(std::complex<double> eigenvalue, bool is_neutral) {
   EquilibriumMode mode;
   if (is_neutral) {
@@ -75,17 +104,24 @@ std::vector<EquilibriumMode> find_modes(const System& system, MotionChart& chart
   std::vector<EquilibriumMode> modes;
   const Index n = chart.size();
   if (n == 0) return modes;
-  const Eigen::EigenSolver<MatrixXd> solver(find_state_matrix(chart));
-  const double slow = kNeutral * std::max(1.0, solver.eigenvalues().cwiseAbs().maxCoeff());
-  int n_neutral = 0;
-  for (Index k = 0; k < 2 * n; ++k) {
-    const std::complex<double> eigenvalue = solver.eigenvalues()[k];
-    const bool is_neutral = std::abs(eigenvalue) <= slow;
-    // Of a conjugate pair the upper one, of two neutral ones the first, of ±λ the growing one.
-    if (is_neutral && n_neutral++ % 2 != 0) continue;
+  const MatrixXd state_matrix = find_state_matrix(chart);
+  const Eigen::EigenSolver<MatrixXd> solver(state_matrix);
+  const auto& eigenvalues = solver.eigenvalues();
+  const NeutralCount neutral = count_neutral(state_matrix);
+  std::vector<Index> slowest_first(2 * n);
+  std::iota(slowest_first.begin(), slowest_first.end(), 0);
+  std::ranges::stable_sort(slowest_first, {}, [&](Index k) { return std::abs(eigenvalues[k]); });
+  for (Index at = 0; at < 2 * n; ++at) {
+    const Index k = slowest_first[at];
+    const std::complex<double> eigenvalue = eigenvalues[k];
+    const bool is_neutral = at < neutral.n_eigenvalues;
+    // Of a conjugate pair the upper one, a neutral one for each direction, of ±λ the growing one.
+    if (is_neutral && at >= neutral.n_directions) continue;
     if (!is_neutral && eigenvalue.imag() < 0.0) continue;
-    const auto mirrored = (solver.eigenvalues().array() + eigenvalue).abs().minCoeff();
-    if (!is_neutral && eigenvalue.imag() == 0.0 && eigenvalue.real() < 0.0 && mirrored <= slow) continue;
+    const double mirrored = (eigenvalues.array() + eigenvalue).abs().minCoeff();
+    if (!is_neutral && eigenvalue.imag() == 0.0 && eigenvalue.real() < 0.0 &&
+        mirrored <= kOpposite * std::abs(eigenvalue))
+      continue;
     EquilibriumMode mode = make_mode(eigenvalue, is_neutral);
     const VectorXd shape = (chart.basis() * solver.eigenvectors().col(k).head(n)).cwiseAbs();
     Index most = 0;

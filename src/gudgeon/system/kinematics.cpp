@@ -31,8 +31,15 @@ constexpr int kMostCorrections = 12;
 // A correction [rad, shares of the size] beyond this means that the prediction was too far; branches of a loop are much
 // further apart but near a singular position, where the determinant's sign tells them from each other.
 constexpr double kLargestCorrection = 0.05;
-// Below this reciprocal condition of the closures the velocities have lost half of their digits.
-constexpr double kSingularShare = 1e-9;
+// Loops close to 1e-13 of the size. Where a loop is flat its fold shows in them as a square, so that an angle is known
+// to the root of that, 3e-7: below this reciprocal condition of the closures one branch cannot be told from the other.
+constexpr double kSingularShare = 1e-6;
+// Velocities that differ by more than this share of the largest one from what the accelerations foretell have a kink
+// between them, as where a step passes from one branch to another, or the step is too long to tell.
+constexpr double kKink = 0.05;
+// How far [rad, shares of the size] beyond the last point a failure is asked for its reason: there the branches that
+// met are apart again by far more than they are known to, and loops out of reach stay open by far more than rounding.
+constexpr double kLookBeyond = 1e-2;
 // Steps end at this share of the way that is left or of the time: a singular position is then located to rounding.
 constexpr double kLeastStep = 1e-13;
 
@@ -75,10 +82,6 @@ double find_longest_vector(const Tables& tables) {
   for (const ClosureTerm& term : tables.closure_terms) longest = std::max(longest, norm(term.vector));
   return longest > 0.0 ? longest : 1.0;  // without any, angles alone are closed
 }
-
-// Where drivers ask for more than the joints permit, rates grow with the inverse root of the time that is left, by 1e6
-// until the steps end; where branches meet they stay as they are.
-constexpr double kRunaway = 1e3;
 
 }  // namespace
 
@@ -159,26 +162,51 @@ double KinematicSolver::find_orientation() const {
   return factors.determinant() > 0.0 ? 1.0 : -1.0;
 }
 
+// Moves next_ onto the closures; false when they do not close near to where it is.
+bool KinematicSolver::close_nearby(double time) {
+  update(time);
+  const std::vector<double> predicted = next_.q;
+  if (!close_loops()) return false;
+  for (std::size_t k = 0; k < predicted.size(); ++k) {
+    if (std::abs(next_.q[k] - predicted[k]) > kLargestCorrection * find_unit(k)) return false;
+  }
+  return true;
+}
+
 bool KinematicSolver::try_step(double time) {
   const double h = time - point_.time;
   for (std::size_t k = 0; k < point_.q.size(); ++k) {
     next_.q[k] = point_.q[k] + h * (point_.v[k] + 0.5 * h * point_.a[k]);
   }
-  update(time);
-  const std::vector<double> predicted = next_.q;
-  if (!close_loops()) return false;
-  const auto n_turns = static_cast<std::size_t>(system_.tables.counts.n_free_turns);
-  for (std::size_t k = 0; k < predicted.size(); ++k) {
-    const double scale = k < n_turns ? 1.0 : size_;
-    if (std::abs(next_.q[k] - predicted[k]) > kLargestCorrection * scale) return false;
+  return close_nearby(time) && find_orientation() == orientation_ && find_motion() && !has_kink();
+}
+
+// Whether the velocities of next_ are not those that the current point foretells. A driver that leaves its rest does so
+// by jerk alone, in steps of any length: its own share in what is not foretold is allowed for.
+bool KinematicSolver::has_kink() {
+  const double h = next_.time - point_.time;
+  double jump = 0.0;
+  for (std::size_t k = 0; k < point_.v.size(); ++k) {
+    jump = std::max(jump, std::abs(next_.v[k] - point_.v[k] - h * point_.a[k]) / find_unit(k));
   }
-  return find_orientation() == orientation_ && find_motion();
+  const double rate = std::max(find_largest_rate(point_), find_largest_rate(next_));
+  if (jump <= kKink * rate) return false;
+  const std::vector<DrivenValue> now = workspace_.coordinates.driven;
+  update_coordinates(system_.tables, point_.time, point_.q.data(), point_.v.data(), workspace_.coordinates);
+  const std::vector<DrivenValue> before = workspace_.coordinates.driven;
+  double share = 0.0;
+  for (std::size_t d = 0; d < now.size(); ++d) {
+    const double asked = std::max(std::abs(now[d].rate), std::abs(before[d].rate));
+    const double kink = std::abs(now[d].rate - before[d].rate - h * before[d].acceleration);
+    if (asked > 0.0) share = std::max(share, kink / asked);
+  }
+  eval_dynamics(system_.tables, next_.time, next_.q.data(), next_.v.data(), {}, {}, workspace_);
+  return jump > (kKink + share) * rate;
 }
 
 bool KinematicSolver::move_to(double time) {
   failure_.reset();
   double step = time - point_.time;
-  const double usual_rate = find_largest_rate() + 1.0 / std::abs(step);
   while (point_.time != time) {
     const double left = time - point_.time;
     const bool last = std::abs(step) >= std::abs(left);
@@ -189,21 +217,35 @@ bool KinematicSolver::move_to(double time) {
     }
     step = 0.5 * (last ? left : step);
     if (std::abs(step) > kLeastStep * std::max(std::abs(left), std::abs(point_.time))) continue;
-    const bool runs_away = find_largest_rate() > kRunaway * usual_rate;
-    fail(runs_away ? MotionFailure::Kind::out_of_reach : MotionFailure::Kind::singular);
+    fail(MotionFailure::Kind::singular);
+    if (failure_->kind == MotionFailure::Kind::singular && !closes_beyond(left)) {
+      failure_->kind = MotionFailure::Kind::out_of_reach;
+    }
     return_to(MotionPoint(point_));
     return false;
   }
   return true;
 }
 
-double KinematicSolver::find_largest_rate() const {
-  const auto n_turns = static_cast<std::size_t>(system_.tables.counts.n_free_turns);
+// Whether the loops close a little further on, in the direction of a time difference. Accelerations mean nothing where
+// branches meet.
+bool KinematicSolver::closes_beyond(double direction) {
+  const double rate = find_largest_rate(point_);
+  if (rate == 0.0) return false;
+  const double h = std::copysign(kLookBeyond / rate, direction);
+  for (std::size_t k = 0; k < point_.q.size(); ++k) next_.q[k] = point_.q[k] + h * point_.v[k];
+  return close_nearby(point_.time + h);
+}
+
+double KinematicSolver::find_largest_rate(const MotionPoint& point) const {
   double largest = 0.0;
-  for (std::size_t k = 0; k < point_.v.size(); ++k) {
-    largest = std::max(largest, std::abs(point_.v[k]) / (k < n_turns ? 1.0 : size_));
-  }
+  for (std::size_t k = 0; k < point.v.size(); ++k) largest = std::max(largest, std::abs(point.v[k]) / find_unit(k));
   return largest;
+}
+
+// What a free coordinate is measured in: 1 rad, or the size [m].
+double KinematicSolver::find_unit(std::size_t coordinate) const {
+  return coordinate < static_cast<std::size_t>(system_.tables.counts.n_free_turns) ? 1.0 : size_;
 }
 
 void KinematicSolver::return_to(const MotionPoint& point) {

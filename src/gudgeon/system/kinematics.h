@@ -57,11 +57,15 @@ class KinematicSolver {
 
  private:
   bool try_step(double time);
+  bool close_nearby(double time);
+  [[nodiscard]] bool has_kink();
+  [[nodiscard]] bool closes_beyond(double direction);
   bool close_loops();
   bool find_motion();
   void update(double time);
   [[nodiscard]] double find_orientation() const;
-  [[nodiscard]] double find_largest_rate() const;
+  [[nodiscard]] double find_largest_rate(const MotionPoint& point) const;
+  [[nodiscard]] double find_unit(std::size_t coordinate) const;
   void fail(MotionFailure::Kind kind);
 
   System system_;
