@@ -46,6 +46,15 @@ TEST(CheckCommand, ListsJointsLoadsAndDrivers) {
   EXPECT_THAT(moved.out, ContainsRegex("motor +angle of crank +57.2958 deg +1 . 0.1\\*sin"));
 }
 
+TEST(CheckCommand, TellsAStartAngleThatIsNotTaken) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_program(folder, {"check", find_slider_crank(), "--set", "bodies.slider.start={angle=\"1 deg\"}"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("R-MODEL-110: body 'slider': its start angle is 1 deg, and it starts at 0 deg"));
+  EXPECT_THAT(outcome.out, ContainsRegex("slider .* 0\\.0000 +-1\\.0000"));
+}
+
 TEST(CheckCommand, CaseAndSettingChangeTheModel) {
   const TemporaryFolder folder;
   const Outcome slow = run_program(folder, {"check", find_slider_crank(), "--case", "slow"});
@@ -120,6 +129,16 @@ TEST(CheckCommand, PointsAtTheEntryThatDoesNotIncrease) {
             "   +3 | torque = { over = \"t\", arguments = [0, 3, 2], values = [1, 2, 3] }\n"
             "      |                                           ^\n"
             "1 error\n");
+}
+
+TEST(CheckCommand, PointsAtALoadWithoutAValue) {
+  EXPECT_EQ(
+      find_complaint("[loads.motor]\nbody = \"crank\"\ntorque = \"1/0\"\n"),
+      "m.toml:+3:10: error E-MODEL-089: load 'motor': torque \"1/0\" has no finite value at the start; it is inf\n"
+      "   +3 | torque = \"1/0\"\n"
+      "      |          ^^^^^\n"
+      "   look at where it is defined: a division by zero, a root or a logarithm of what is negative\n"
+      "1 error\n");
 }
 
 TEST(CheckCommand, PointsAtASpringWithoutLength) {

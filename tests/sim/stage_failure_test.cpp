@@ -100,6 +100,16 @@ TEST(StageFailure, ASingularStartIsTold) {
   EXPECT_EQ(stage.end_time, 0.0);
 }
 
+// A damper so hard that it would stop the ball within 1e-14 s, from the first touch on.
+TEST(StageFailure, AContactThatPressesFromTheFirstTouchIsNamed) {
+  Mechanism mechanism = make_balls({{{0.0, 0.0}, {}}, {{0.4, 0.0}, {1.0, 0.0}}}, {}, 1e6);
+  std::get<RevoluteClearance>(mechanism.joints[1].kind).contact.normal_force = KelvinVoigt{1e6, 1e300};
+  const StageRecord stage = run(mechanism, 1.0);
+  EXPECT_EQ(stage.status, StageStatus::failed);
+  EXPECT_THAT(stage.message, AllOf(HasSubstr("E-NUM-003"), HasSubstr("stiffest contact: joint 'wall_1'")));
+  EXPECT_NEAR(stage.end_time, 0.1, 1e-10);
+}
+
 // A block on a guide, from 0.2 m at −1 m/s, under one load.
 StageRecord run_block(const AnyLoad& load, double cycle_time) {
   Mechanism mechanism = oracle::make_empty("block", {}, {{"wall", {0.0, 0.0}}});

@@ -16,6 +16,8 @@ namespace gudgeon {
 namespace {
 
 constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
+// For a constant that could not be read: its error is told, and formulas may use its name.
+constexpr double kStandIn = 1.0;
 
 /// "force.0" of the path "loads.push.force.0" is "x of force".
 std::string name_value(const std::string& path) {
@@ -97,7 +99,7 @@ std::vector<std::pair<std::string, double>> read_constants(TableReader& owner) {
   for (const DocumentEntry& entry : table->entries()) {
     const auto value = read_quantity(entry.node, std::nullopt, table->path_of(entry.key),
                                      fmt::format("{}: constant '{}'", owner.subject(), entry.key), owner.log());
-    if (value) constants.emplace_back(entry.key, *value);
+    constants.emplace_back(entry.key, value.value_or(kStandIn));
   }
   return constants;
 }

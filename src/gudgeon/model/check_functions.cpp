@@ -58,12 +58,19 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// True for the last part of a recorded channel that depends on forces, "slider.x_acceleration", or on contacts.
+/// True for a recorded channel that is no state channel: by its last part, "slider.x_acceleration", or as an energy.
 bool is_result(const std::string& name) {
-  static constexpr std::array<std::string_view, 17> kResults{
-      "x_acceleration", "y_acceleration", "angle_acceleration", "x_force",        "y_force",      "force",
-      "moment",         "effort",         "normal_force",       "friction_force", "penetration",  "slip_speed",
-      "in_contact",     "x_offset",       "y_offset",           "x_offset_rate",  "y_offset_rate"};
+  static constexpr std::array<std::string_view, 30> kResults{"x_acceleration", "y_acceleration", "angle_acceleration",
+                                                             "x_force",        "y_force",        "force",
+                                                             "moment",         "effort",         "normal_force",
+                                                             "left_force",     "right_force",    "friction_force",
+                                                             "penetration",    "slip_speed",     "in_contact",
+                                                             "n_contacts",     "bristle",        "contact_angle",
+                                                             "x_offset",       "y_offset",       "x_offset_rate",
+                                                             "y_offset_rate",  "height",         "height_rate",
+                                                             "tilt",           "tilt_rate",      "torque",
+                                                             "power",          "length",         "twist"};
+  if (name.starts_with("energy.")) return true;
   const auto dot = name.rfind('.');
   return dot != std::string::npos && std::ranges::find(kResults, name.substr(dot + 1)) != kResults.end();
 }
@@ -117,7 +124,7 @@ class ExpressionCheck {
     if (known) {
       fail("E-MODEL-083", found, fmt::format("uses '{}'; a motion may depend on the time t only", name),
            {"a spring, or a load with this formula, follows the mechanism"});
-    } else if (is_result(name)) {
+    } else if (is_result(name) || is_pin_motion(name)) {
       fail(
           "E-MODEL-083", found, fmt::format("uses '{}', which is a result", name),
           {"forces, accelerations and contacts depend on the loads, so loads may depend on positions and speeds only"});
@@ -126,6 +133,14 @@ class ExpressionCheck {
            list_possible(name));
     }
     return false;
+  }
+
+  /// Recorded, but known to loads for guides only.
+  [[nodiscard]] bool is_pin_motion(const std::string& name) const {
+    return std::ranges::any_of(rules_.mechanism.joints, [&](const Joint& joint) {
+      return std::holds_alternative<PinInSlotClearance>(joint.kind) &&
+             (name == joint.name + ".displacement" || name == joint.name + ".speed");
+    });
   }
 
   bool check_grammar() {

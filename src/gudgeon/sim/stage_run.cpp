@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "gudgeon/sim/lost_load.h"
@@ -184,7 +185,8 @@ void StageRun::fail(const std::string& code, const std::string& reason) {
                                        : "look at where its formula or curve is defined");
     return;
   }
-  double deepest = 0.0;
+  // A law may press from the first touch on, before there is any penetration.
+  double deepest = -std::numeric_limits<double>::infinity();
   const std::size_t n_contacts = motion_.gaps().size();
   std::size_t stiffest = n_contacts;
   for (std::size_t k = 0; k < n_contacts; ++k) {
