@@ -28,12 +28,6 @@ std::string render_range(const AngleRange& range) {
 
 const char* name_side(std::size_t side) { return side == 0 ? "left" : "right"; }
 
-// Where on the bearing.
-std::string render_place(const DeepestPoint& point, bool is_slot) {
-  if (!is_slot) return format_degrees(point.angle);
-  return fmt::format("{} {:.1f} mm", name_side(point.surface), 1e3 * point.position);
-}
-
 std::string render_extrapolation(const std::string& stage, const JointWearSummary& wear) {
   return fmt::format(
       "  note: stage {} deepens joint {} by {:.0f} % of its clearance at once; its motion would have changed on the "
@@ -43,6 +37,15 @@ std::string render_extrapolation(const std::string& stage, const JointWearSummar
 }
 
 }  // namespace
+
+std::string render_place(const DeepestPoint& point, bool is_slot) {
+  if (!is_slot) return format_degrees(point.angle);
+  return fmt::format("{} {:.1f} mm", name_side(point.surface), 1e3 * point.position);
+}
+
+std::string render_worn(const JointWearSummary& wear) {
+  return wear.is_slot ? render_side_ranges(wear.worn_sides) : render_ranges(wear.worn);
+}
 
 std::string render_ranges(std::span<const AngleRange> ranges) {
   if (ranges.empty()) return "none";
@@ -84,7 +87,7 @@ std::string render_wear(const RunRecord& run, bool color) {
                      render_place(wear.added, wear.is_slot), format_engineering(wear.mean_depth_added, "m"),
                      format_engineering(wear.accumulated.depth, "m"), render_place(wear.accumulated, wear.is_slot),
                      format_engineering(wear.removed_volume, "m^3"), format_engineering(wear.archard_volume, "m^3"),
-                     wear.is_slot ? render_side_ranges(wear.worn_sides) : render_ranges(wear.worn)});
+                     render_worn(wear)});
     }
   }
   if (table.empty()) return "";

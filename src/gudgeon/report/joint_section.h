@@ -18,6 +18,10 @@ std::string render_wear(const RunRecord& run, bool color);
 /// Onsets, time in contact and in flight, forces, a stage and joint.
 std::string render_contacts(const RunRecord& run, bool color);
 
+/// Where on the bearing: "54°", or on a slot "left -12.5 mm".
+std::string render_place(const DeepestPoint& point, bool is_slot);
+/// The worn part of a bearing or of a slot's sides.
+std::string render_worn(const JointWearSummary& wear);
 /// "32–120°, 246–328°"; ranges beyond the first few are counted.
 std::string render_ranges(std::span<const AngleRange> ranges);
 /// "left -20.0 to 12.5 mm, right …"

@@ -56,6 +56,7 @@ FigureCurve make_outline(const WornSurfaces& surfaces, const SurfaceProfile& pro
 }
 
 std::vector<SurfaceProfile> split_round(const WornSurfaces& surfaces) {
+  if (surfaces.wear->slot_length > 0.0) return {};  // no circle to draw it on
   std::vector<SurfaceProfile> profiles = split_bearing(*surfaces.wear, surfaces.state.bearing_depth);
   std::ranges::copy(split_journal(*surfaces.wear, surfaces.state.journal_depth), std::back_inserter(profiles));
   std::erase_if(profiles, [](const SurfaceProfile& p) { return p.radius <= 0.0 || p.depth->empty(); });

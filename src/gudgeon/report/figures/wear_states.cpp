@@ -5,6 +5,8 @@
 #include "gudgeon/report/figures/wear_states.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "gudgeon/analysis/wear_summary.h"
 #include "gudgeon/report/figures/case_figures.h"
@@ -24,12 +26,22 @@ std::vector<double> add_depths(std::vector<double> worn, const std::vector<doubl
   return worn;
 }
 
-SurfaceProfile make_round(const char* name, double radius, double outwards, const std::vector<double>& depth) {
+SurfaceProfile make_round(const char* name, double radius, double outwards, std::span<const double> depth) {
   SurfaceProfile profile{name, std::string("Angle in the ") + name, "rad", radius, outwards, nullptr, nullptr};
   std::vector<double> angles;
   for (std::size_t k = 0; k < depth.size(); ++k) angles.push_back(find_region_angle(k, depth.size()));
   profile.position = make_numbers(std::move(angles));
-  profile.depth = make_numbers(depth);
+  profile.depth = make_numbers({depth.begin(), depth.end()});
+  return profile;
+}
+
+/// One side of a slot, from its rear to its front end.
+SurfaceProfile make_side(const char* name, double length, std::span<const double> depth) {
+  SurfaceProfile profile{name, "Place along the slot", "m", 0.0, 1.0, nullptr, nullptr};
+  std::vector<double> places;
+  for (std::size_t k = 0; k < depth.size(); ++k) places.push_back(find_region_position(k, depth.size(), length));
+  profile.position = make_numbers(std::move(places));
+  profile.depth = make_numbers({depth.begin(), depth.end()});
   return profile;
 }
 
@@ -55,11 +67,24 @@ std::vector<WearState> find_wear_states(const RunRecord& run, const std::string&
 }
 
 std::vector<SurfaceProfile> split_bearing(const JointWear& wear, const std::vector<double>& depth) {
-  return {make_round("bearing", wear.bearing_radius, 1.0, depth)};
+  if (!(wear.slot_length > 0.0)) return {make_round("bearing", wear.bearing_radius, 1.0, depth)};
+  const std::size_t n = depth.size() / 2;
+  return {make_side("left side", wear.slot_length, std::span(depth).first(n)),
+          make_side("right side", wear.slot_length, std::span(depth).last(n))};
 }
 
 std::vector<SurfaceProfile> split_journal(const JointWear& wear, const std::vector<double>& depth) {
-  return {make_round("journal", wear.journal_radius, -1.0, depth)};
+  static constexpr std::array kCorners{"left rear corner", "left front corner", "right rear corner",
+                                       "right front corner"};
+  const std::size_t n = wear.slot_length > 0.0 ? wear.n_regions() : depth.size();
+  if (n == 0 || depth.size() != n * kCorners.size()) {
+    return {make_round("journal", wear.journal_radius, -1.0, depth)};
+  }
+  std::vector<SurfaceProfile> corners;
+  for (std::size_t c = 0; c < kCorners.size(); ++c) {
+    corners.push_back(make_round(kCorners[c], wear.journal_radius, -1.0, std::span(depth).subspan(c * n, n)));
+  }
+  return corners;
 }
 
 }  // namespace gudgeon

@@ -39,10 +39,10 @@ void add_stage_row(HtmlTable& table, const RunRecord& run, std::string name, Pri
 }  // namespace
 
 std::string render_wear_table(const RunRecord& run) {
-  HtmlTable table("What each stage wears away, magnified",
-                  {"joint", "stage", "deepest so far", "at", "bearing", "journal", "deepest added", "removed", "k F s",
-                   "worn angles"},
-                  2);
+  HtmlTable table(
+      "What each stage wears away, magnified",
+      {"joint", "stage", "deepest so far", "at", "bearing", "journal", "deepest added", "removed", "k F s", "worn at"},
+      2);
   std::string notes;
   for (const std::string& joint : find_clearance_joints(run)) {
     for (std::size_t k = 0; k < run.stages.size(); ++k) {
@@ -52,9 +52,9 @@ std::string render_wear_table(const RunRecord& run) {
       const JointWearSummary& wear = *found;
       const std::string stage = label_stage(run.stages[k].name);
       table.add_row({wear.joint, stage, format_engineering(wear.accumulated.depth, "m"),
-                     format_degrees(wear.accumulated.angle), format_engineering(wear.bearing.depth, "m"),
+                     render_place(wear.accumulated, wear.is_slot), format_engineering(wear.bearing.depth, "m"),
                      format_engineering(wear.journal.depth, "m"), format_engineering(wear.added.depth, "m"),
-                     print_volume(wear.removed_volume), print_volume(wear.archard_volume), render_ranges(wear.worn)});
+                     print_volume(wear.removed_volume), print_volume(wear.archard_volume), render_worn(wear)});
       if (wear.clearance_share <= kFarthestExtrapolation) continue;
       notes +=
           make_paragraph(fmt::format("Stage “{}” deepens joint {} by {:.0f} % of its clearance at once; its motion "
