@@ -122,6 +122,15 @@ TEST(CheckCommand, PointsAtTheEntryThatDoesNotIncrease) {
             "1 error\n");
 }
 
+TEST(CheckCommand, PointsAtALoadWithoutAValue) {
+  EXPECT_EQ(find_complaint("[loads.motor]\nbody = \"crank\"\ntorque = \"1/0\"\n"),
+            "m.toml:+3:10: error E-MODEL-089: load 'motor': torque \"1/0\" has no finite value at the start\n"
+            "   +3 | torque = \"1/0\"\n"
+            "      |          ^^^^^\n"
+            "   look at where it is defined: a division by zero, a root or a logarithm of what is negative\n"
+            "1 error\n");
+}
+
 TEST(CheckCommand, PointsAtASpringWithoutLength) {
   EXPECT_EQ(find_complaint("[loads.coil]\ntype = \"spring\"\nbetween = [\"rod.S\", \"slider.S\"]\nstiffness = "
                            "2\nfree_length = \"1 mm\"\n"),

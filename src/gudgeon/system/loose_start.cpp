@@ -13,6 +13,7 @@
 
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/system/compile_contacts.h"
+#include "gudgeon/system/start_loads.h"
 #include "gudgeon/system/topology.h"
 
 namespace gudgeon {
@@ -184,6 +185,7 @@ void require_clear_start(const Mechanism& mechanism, const Assembly& assembly) {
     std::visit([&](const auto& kind) { start.check(joint, kind); }, joint.kind);
   }
   check_springs(mechanism, assembly, start.diagnostics);
+  check_start_loads(mechanism, assembly, start.diagnostics);
   if (start.diagnostics.has_errors()) throw ModelError(start.diagnostics);
 }
 

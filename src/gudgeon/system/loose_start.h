@@ -13,8 +13,8 @@ namespace gudgeon {
 /// tie to the frame; of several that they tie to each other the first one's place counts.
 void place_loose_bodies(const Mechanism& mechanism, Assembly& assembly);
 
-/// Throws ModelError when a journal starts beyond the surface of its bearing or a spring starts without length, naming
-/// every such joint and load.
+/// Throws ModelError when a journal starts beyond the surface of its bearing, a spring starts without length or a load
+/// without a finite value, naming every such joint and load.
 void require_clear_start(const Mechanism& mechanism, const Assembly& assembly);
 
 }  // namespace gudgeon
