@@ -46,6 +46,15 @@ TEST(CheckCommand, ListsJointsLoadsAndDrivers) {
   EXPECT_THAT(moved.out, ContainsRegex("motor +angle of crank +57.2958 deg +1 . 0.1\\*sin"));
 }
 
+TEST(CheckCommand, TellsAStartAngleThatIsNotTaken) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_program(folder, {"check", find_slider_crank(), "--set", "bodies.slider.start={angle=\"1 deg\"}"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("R-MODEL-110: body 'slider': its start angle is 1 deg, and it starts at 0 deg"));
+  EXPECT_THAT(outcome.out, ContainsRegex("slider .* 0\\.0000 +-1\\.0000"));
+}
+
 TEST(CheckCommand, CaseAndSettingChangeTheModel) {
   const TemporaryFolder folder;
   const Outcome slow = run_program(folder, {"check", find_slider_crank(), "--case", "slow"});

@@ -16,6 +16,7 @@
 #include "gudgeon/system/assembly.h"
 #include "gudgeon/system/loose_start.h"
 #include "gudgeon/system/mobility.h"
+#include "gudgeon/system/start_remarks.h"
 
 namespace gudgeon {
 namespace {
@@ -26,9 +27,11 @@ struct CheckOptions {
   bool explain = false;
 };
 
-std::string render_model(const ModelFile& model) {
+// Adds remarks on the start to those of the model.
+std::string render_model(ModelFile& model) {
   const Assembly assembly = assemble(model.mechanism);
   require_clear_start(model.mechanism, assembly);
+  model.diagnostics.append(remark_held_angles(model.mechanism, assembly));
   const bool color = find_color_wanted();
   return render_counts(model.mechanism, find_mobility(model.mechanism), color) +
          render_start(model.mechanism, assembly, color) + render_loops(assembly, color) +
@@ -37,7 +40,7 @@ std::string render_model(const ModelFile& model) {
 }
 
 ExitCode run_check(const CheckOptions& options) {
-  const ModelFile model = read_case(options.model, options.case_name);
+  ModelFile model = read_case(options.model, options.case_name);
   require_sound(model);
   const std::string tables = with_source(model, [&] { return render_model(model); });
   write_stdout(render(model.diagnostics, model.source));

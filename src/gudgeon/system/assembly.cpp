@@ -28,6 +28,10 @@ using Eigen::VectorXd;
 // Closed is when the largest gap is at rounding of the mechanism's size.
 constexpr double kClosedShare = 1e-13;
 constexpr int kMostIterations = 200;
+// [rad] Angles that differ by less are the same number written twice.
+constexpr double kSameGuess = 1e-9;
+
+double find_turn(double from, double to) { return std::remainder(to - from, 2.0 * std::numbers::pi); }
 
 class Assembler {
  public:
@@ -58,7 +62,9 @@ class Assembler {
     assembly.branches = find_branches();
     assembly.closure_residual = tables_.closures.empty() ? 0.0 : find_closure_gaps(workspace_).cwiseAbs().maxCoeff();
     for (std::size_t b = 0; b < guesses.size(); ++b) {
-      assembly.angle_changes.push_back(std::remainder(assembly.poses[b].angle - guesses[b], 2.0 * std::numbers::pi));
+      const double given = mechanism_.bodies[b].start.angle.value_or(guesses[b]);
+      assembly.angle_changes.push_back(find_turn(given, assembly.poses[b].angle));
+      if (std::abs(find_turn(guesses[b], given)) > kSameGuess) assembly.held_bodies.push_back(static_cast<int>(b));
     }
     return assembly;
   }
@@ -236,6 +242,11 @@ class Assembler {
 Assembly assemble(const Mechanism& mechanism, double time) {
   Assembly assembly = Assembler(mechanism, time).assemble();
   place_loose_bodies(mechanism, assembly);
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const auto& given = mechanism.bodies[b].start.angle;
+    if (given) assembly.angle_changes[b] = find_turn(*given, assembly.poses[b].angle);
+  }
+  std::erase_if(assembly.held_bodies, [&](int b) { return std::abs(assembly.angle_changes[b]) <= kSameGuess; });
   return assembly;
 }
 

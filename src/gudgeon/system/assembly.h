@@ -35,7 +35,8 @@ struct Assembly {
   std::vector<BodyPose> poses;        ///< one a body, in the mechanism's order
   std::vector<LoopBranch> branches;   ///< one a closed loop
   double closure_residual = 0.0;      ///< [m] largest gap left in a joint
-  std::vector<double> angle_changes;  ///< [rad] a body: assembled minus guessed angle
+  std::vector<double> angle_changes;  ///< [rad] a body: assembled minus guessed angle; a given one is the guess
+  std::vector<int> held_bodies;       ///< whose given angle was no guess: joints, drivers or a tied body say another
 };
 
 /// Places every body at the given time, clearance joints as if they were ideal. Bodies keep the angles and
