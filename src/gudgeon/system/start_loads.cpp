@@ -42,8 +42,8 @@ class StartLoads {
     if (std::isfinite(value)) return;
     const std::string& name = system_.mechanism.loads[load].name;
     diagnostics_.error("E-MODEL-089", fmt::format("loads.{}.{}", name, key),
-                       fmt::format("load '{}': {} \"{}\" has no finite value at the start; it is {}", name, what,
-                                   system_.tables.loads.expressions[function.expression].text, value),
+                       fmt::format("load '{}': {} \"{}\" has no finite value at the start", name, what,
+                                   system_.tables.loads.expressions[function.expression].text),
                        {"look at where it is defined: a division by zero, a root or a logarithm of what is negative"});
   }
 
