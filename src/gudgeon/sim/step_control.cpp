@@ -19,7 +19,7 @@ constexpr double kErrorExponent = 0.17;
 constexpr double kLastErrorExponent = 0.04;
 // Errors below these say no more about the next step.
 constexpr double kLeastError = 1e-10;
-constexpr double kLeastLogError = -9.0;
+constexpr double kLeastLogError = -9.0;  // ln of 1.2e-4
 
 }  // namespace
 
