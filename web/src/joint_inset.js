@@ -56,7 +56,9 @@ export class JointInset {
     if (joint.kind === 'revolute_clearance') this.#drawRound(context, joint, state, poses);
     else this.#drawSlot(context, joint, state, poses);
     const force = Math.hypot(state.fx, state.fy);
-    const where = state.x === undefined ? 'no clearance' : state.normal > 0 ? `contact, ${printQuantity(force, 'N')}` : 'free flight';
+    // An ideal joint and a slot have no journal centre to tell contact from flight by.
+    const where = state.x === undefined ? `joint force ${printQuantity(force, 'N')}`
+      : state.normal > 0 ? `contact, ${printQuantity(force, 'N')}` : 'free flight';
     this.text.replaceChildren(where, make('br'),
       state.x === undefined ? '\u00a0' : `clearance × ${printFactor(this.factor)}, arrow ∝ √F, longest ${printQuantity(this.greatest, 'N')}`);
   }
