@@ -21,7 +21,8 @@ TEST(ChannelTable, EveryRecordedNameIsKnownToFormulas) {
       asking.loads.push_back({"ask_" + std::to_string(asking.loads.size()),
                               VariableTorque{mechanism.bodies[1].name, kFrameName, formula}});
     }
-    for (const Diagnostic& item : check(asking, {}).items()) {
+    const Diagnostics found = check(asking, {});
+    for (const Diagnostic& item : found.items()) {
       EXPECT_NE(item.code, "E-MODEL-082") << mechanism.name << ": " << item.message;
     }
   }
