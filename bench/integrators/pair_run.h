@@ -5,8 +5,8 @@
 #pragma once
 
 #include "bench/integrators/event_search.h"
-#include "gudgeon/sim/dormand_prince.h"
 #include "gudgeon/sim/step_control.h"
+#include "gudgeon/sim/tsitouras.h"
 
 namespace gudgeon::bench {
 
@@ -90,7 +90,7 @@ class PairRun {
   Equations& equations_;
   double longest_;
   ErrorTolerance tolerance_;
-  DormandPrince formula_;
+  Tsitouras formula_;
   StepControl control_;
   EventSearch<Equations> events_;
   double time_ = 0.0;

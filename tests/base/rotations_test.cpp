@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "gudgeon/base/rotation_lanes.h"
+
 namespace gudgeon {
 namespace {
 
@@ -47,6 +49,23 @@ TEST(Rotations, AreExactAtZeroAndDoNotDependOnTheirPlace) {
   EXPECT_EQ(none.c, 1.0);
   EXPECT_EQ(none.s, 0.0);
 }
+
+#ifdef __x86_64__
+TEST(Rotations, HaveTheSameBitsInAnyLanes) {
+  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "no AVX2 here";
+  std::mt19937_64 random(11);
+  for (const double largest : {1.0, 30.0, 1e3, 1e7, 1e300}) {
+    std::uniform_real_distribution<double> any(-largest, largest);
+    std::vector<double> angles(1003);
+    for (double& angle : angles) angle = any(random);
+    std::vector<double> two(2 * angles.size());
+    std::vector<double> four(2 * angles.size());
+    write_rotations<xsimd::sse4_2>(angles.data(), angles.size(), two.data());
+    write_rotations_avx2(angles.data(), angles.size(), four.data());
+    EXPECT_EQ(two, four) << largest;
+  }
+}
+#endif
 
 TEST(Rotations, AreNotNumbersWhereAnAngleIsNot) {
   const std::vector<double> angles{std::numeric_limits<double>::quiet_NaN(), 1.0,

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "gudgeon/sim/contact_events.h"
-#include "gudgeon/sim/dormand_prince.h"
 #include "gudgeon/sim/motion_equations.h"
+#include "gudgeon/sim/tsitouras.h"
 
 namespace gudgeon {
 
@@ -25,7 +25,7 @@ class Attempt {
 
   std::optional<ContactChange> find_change(double h) {
     ContactEvents events(system.tables);
-    DormandPrince stepper(equations.n_states(), kEnergyIntegrals);
+    Tsitouras stepper(equations.n_states(), kEnergyIntegrals);
     const State state = make_state(system, assembly);
     std::vector<double> y(equations.size(), 0.0);
     std::vector<double> slope(equations.size());

@@ -15,13 +15,13 @@ namespace {
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kStep = 0.01;
 
-// A step over which nothing moves; only the last stage has slopes, which weigh 1/40 in the error and nothing at the
+// A step over which nothing moves; only the last stage has slopes, which weigh 1/66 in the error and nothing at the
 // end. So the estimated errors are those given.
-DormandPrince make_step(const std::vector<double>& y, const std::vector<double>& errors, double h = kStep) {
-  DormandPrince stepper(y.size(), 0);
+Tsitouras make_step(const std::vector<double>& y, const std::vector<double>& errors, double h = kStep) {
+  Tsitouras stepper(y.size(), 0);
   stepper.begin(0.0, y, std::vector<double>(y.size(), 0.0));
   stepper.attempt(h, [&](int stage, double, const double*, double* slope) {
-    for (std::size_t i = 0; i < y.size(); ++i) slope[i] = stage == 6 ? -40.0 * errors[i] / h : 0.0;
+    for (std::size_t i = 0; i < y.size(); ++i) slope[i] = stage == 6 ? 66.0 * errors[i] / h : 0.0;
   });
   return stepper;
 }

@@ -33,7 +33,7 @@ double find_last(const StageRecord& stage, const std::string& channel) { return 
 
 TEST(Convergence, OrderOfTheIntegrator) {
   book::Recorder recorder(
-      {"Convergence", "Order of the integrator", "Dormand and Prince 1980: order 5",
+      {"Convergence", "Order of the integrator", "Tsitouras 2011: order 5",
        "Equal steps h, h/2 … on a pendulum swinging through 1 s; the order is "
        "log₂(error(h)/error(h/2)), the error being that of its angle against a run at a tolerance of 1e-13.",
        "the next term of the error series changes the measured order by about h"});

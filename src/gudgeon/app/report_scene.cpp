@@ -123,8 +123,8 @@ std::vector<NamedText> describe_study(const Mechanism& mechanism, const Study& s
                        study.deposition == Deposition::spread ? "over the contact arc" : "into one region");
     facts.emplace_back("Regions of a circumference", fmt::format("{}", study.regions));
   }
-  facts.emplace_back(
-      "Integrator", study.integrator == Integrator::stiff ? "backward differentiation (stiff)" : "Dormand-Prince 5(4)");
+  facts.emplace_back("Integrator",
+                     study.integrator == Integrator::stiff ? "backward differentiation (stiff)" : "Tsitouras 5(4)");
   facts.emplace_back("Loops held by", study.stabilization == Stabilization::projection ? "projection" : "Baumgarte");
   facts.emplace_back("Local error",
                      fmt::format("{:g} relative, {:g} absolute", study.relative_tolerance, study.absolute_tolerance));

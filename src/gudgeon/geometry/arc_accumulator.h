@@ -21,21 +21,37 @@ class ArcAccumulator {
         region_amounts_(n_regions, 0.0),
         regions_per_radian_(static_cast<double>(n_regions) / (2.0 * std::numbers::pi)) {}
 
-  /// Adds `amount` to every point of the arc of that width [rad] <= 2π centred at `angle` [rad].
-  void add_arc(double angle, double width, double amount) noexcept {
+  /// Where an arc begins and ends among the regions.
+  struct Arc {
+    std::size_t first = 0;    ///< region that holds its beginning
+    std::size_t last = 0;     ///< and its end
+    double first_part = 0.0;  ///< how much of that region lies before the beginning [1]
+    double last_part = 0.0;
+    bool over_seam = false;  ///< it runs over the seam: one full pass begins again at region 0
+  };
+
+  /// The arc of that width [rad] <= 2π centred at `angle` [rad]; the same for all that have as many regions.
+  [[nodiscard]] Arc find_arc(double angle, double width) const noexcept {
     const double n = static_cast<double>(region_amounts_.size());
     const double regions = width * regions_per_radian_;
     double first = angle * regions_per_radian_ - 0.5 * regions;
     first -= n * std::floor(first / n);
-    add_edge(first, amount);
     double last = first + regions;
-    if (last >= n) {
-      // The arc runs over the seam: one full pass begins again at region 0.
-      last -= n;
-      base_ += amount;
-    }
-    add_edge(last, -amount);
+    const bool over_seam = last >= n;
+    if (over_seam) last -= n;
+    const double whole_first = std::floor(first);
+    const double whole_last = std::floor(last);
+    return {static_cast<std::size_t>(whole_first), static_cast<std::size_t>(whole_last), first - whole_first,
+            last - whole_last, over_seam};
   }
+
+  /// Adds `amount` to every point of the arc.
+  void add_arc(const Arc& arc, double amount) noexcept {
+    add_edge(arc.first, arc.first_part, amount);
+    add_edge(arc.last, arc.last_part, -amount);
+    if (arc.over_seam) base_ += amount;
+  }
+  void add_arc(double angle, double width, double amount) noexcept { add_arc(find_arc(angle, width), amount); }
 
   /// Adds a parabola that vanishes at both ends of the arc, 3/2 mean_amount (1 − (2x/width)²) at x [rad] from its
   /// centre. Every region gets the exact mean over it: a share u of the width from one end holds u² (3 − 2u) of all.
@@ -76,13 +92,11 @@ class ArcAccumulator {
   }
 
  private:
-  // A step of height `amount` at a position in [0, n]: its region gets the part behind the step.
-  void add_edge(double position, double amount) noexcept {
-    const double whole = std::floor(position);
-    const double part = amount * (position - whole);
-    double* at = &differences_[static_cast<std::size_t>(whole)];
-    at[0] += amount - part;
-    at[1] += part;
+  // A step of height `amount` behind that part of a region, which gets what is behind it.
+  void add_edge(std::size_t region, double part, double amount) noexcept {
+    double* at = &differences_[region];
+    at[0] += amount - amount * part;
+    at[1] += amount * part;
   }
 
   std::vector<double> differences_;

@@ -26,7 +26,7 @@ enum class Stabilization {
 /// How motions are integrated.
 enum class Integrator {
   automatic,      ///< the explicit pair; with bristles, stiff where its steps are held by stability (default)
-  explicit_pair,  ///< Runge-Kutta pair of Dormand and Prince
+  explicit_pair,  ///< Runge-Kutta pair of Tsitouras
   stiff,          ///< backward differentiation
 };
 

@@ -19,6 +19,9 @@ constexpr int kParts = 8;
 constexpr double kPartsPerRegion = 2.0;
 // A cubic through the ends of a step may miss the true gap by this share of how far the gap could move in it.
 constexpr double kMargin = 0.1;
+// Shares are found to so many bits: 1e-9 of a step is far below what dense output is off by, and who lands on a change
+// goes on from there by the step itself.
+constexpr int kShareBits = 30;
 
 // Whether the cubic with these values and slopes (per unit of share) at both ends comes above -margin in between.
 bool may_rise_above(double value_a, double slope_a, double value_b, double slope_b, double margin) {
@@ -59,6 +62,17 @@ GapState find_gap_state(const GuideSurfaces& surfaces, const RelativeMotion& mot
           gap.penetration, gap.penetration_rate, std::abs(gap.bearing_position) - surfaces.half_length};
 }
 
+// What the gap of a contact that presses tells.
+GapState find_gap_state(const ContactSurfaces& surfaces, const ContactGap& gap) noexcept {
+  GapState state;
+  state.penetration = gap.penetration;
+  state.penetration_rate = gap.penetration_rate;
+  if (const auto* slot = std::get_if<GuideSurfaces>(&surfaces)) {
+    state.overrun = std::abs(gap.bearing_position) - slot->half_length;
+  }
+  return state;
+}
+
 }  // namespace
 
 ContactEvents::ContactEvents(const Tables& tables)
@@ -67,6 +81,19 @@ ContactEvents::ContactEvents(const Tables& tables)
 void ContactEvents::find_gaps(Workspace& workspace, std::vector<GapState>& gaps) const noexcept {
   update_point_motions(*tables_, workspace);
   for (std::size_t k = 0; k < gaps.size(); ++k) gaps[k] = find_gap(k, workspace);
+}
+
+void ContactEvents::find_gaps(Workspace& workspace, std::span<const ContactLatch> latches,
+                              std::vector<GapState>& gaps) const noexcept {
+  const bool all_known = std::ranges::all_of(latches, &ContactLatch::in_contact);
+  if (!all_known) update_point_motions(*tables_, workspace);
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    if (latches[k].in_contact) {
+      gaps[k] = find_gap_state(tables_->contacts[k].surfaces, workspace.contact_forces[k].gap);
+    } else {
+      gaps[k] = find_gap(k, workspace);
+    }
+  }
 }
 
 GapState ContactEvents::find_gap(std::size_t contact, const Workspace& workspace) const noexcept {
@@ -86,30 +113,34 @@ GapState ContactEvents::find_gap_at(double share, std::size_t contact, const Den
 
 // First share in (0, limit] at which sign δ rises above zero; at the start it counts as not above.
 std::optional<double> ContactEvents::find_crossing(std::size_t contact, double sign, double limit, int n_parts,
-                                                   const DenseStep& step, Workspace& workspace) {
-  const auto value = [&](double share) { return sign * find_gap_at(share, contact, step, workspace).penetration; };
-  const auto rate = [&](double share) { return sign * find_gap_at(share, contact, step, workspace).penetration_rate; };
+                                                   const GapState& start, const DenseStep& step, Workspace& workspace) {
+  const auto look = [&](double share) { return find_gap_at(share, contact, step, workspace); };
+  const auto value = [&](double share) { return sign * look(share).penetration; };
+  const auto rate = [&](double share) { return sign * look(share).penetration_rate; };
   const auto refine = [](auto&& f, double a, double fa, double b, double fb) {
     std::uintmax_t most = 60;
     const auto bracket =
-        boost::math::tools::toms748_solve(f, a, b, fa, fb, boost::math::tools::eps_tolerance<double>(45), most);
+        boost::math::tools::toms748_solve(f, a, b, fa, fb, boost::math::tools::eps_tolerance<double>(kShareBits), most);
     return 0.5 * (bracket.first + bracket.second);
   };
   double before = 0.0;
-  double rate_before = rate(0.0);
+  double rate_before = sign * start.penetration_rate;
   for (int part = 1; part <= n_parts; ++part) {
     const double after = limit * part / n_parts;
     double top = after;
-    double value_top = value(after);
-    const double rate_after = rate(after);
+    const GapState there = look(after);
+    double value_top = sign * there.penetration;
+    const double rate_after = sign * there.penetration_rate;
+    double rate_top = rate_after;
     if (value_top <= 0.0 && rate_before > 0.0 && rate_after < 0.0) {
       top = refine(rate, before, rate_before, after, rate_after);
       value_top = value(top);
+      rate_top = 0.0;
     }
     if (value_top > 0.0) {
       // Just after a change the gap is a hair on the wrong side and moving off it: go to where it turns back.
       double bottom = before;
-      if (rate_before < 0.0 && rate(top) > 0.0) bottom = refine(rate, before, rate_before, top, rate(top));
+      if (rate_before < 0.0 && rate_top > 0.0) bottom = refine(rate, before, rate_before, top, rate_top);
       const double value_bottom = value(bottom);
       return value_bottom < 0.0 ? refine(value, bottom, value_bottom, top, value_top) : bottom;
     }
@@ -159,7 +190,7 @@ std::optional<ContactChange> ContactEvents::find_first_change(const DenseStep& s
     const int n_parts = count_parts(k, in_contact, step.step(), start[k], end[k]);
     if (n_parts == 0) continue;
     const auto crossing =
-        find_crossing(k, in_contact ? -1.0 : 1.0, first ? first->share : 1.0, n_parts, step, workspace);
+        find_crossing(k, in_contact ? -1.0 : 1.0, first ? first->share : 1.0, n_parts, start[k], step, workspace);
     if (crossing) first = ContactChange{k, *crossing};
   }
   return first;

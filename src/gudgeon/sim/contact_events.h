@@ -36,6 +36,12 @@ class ContactEvents {
 
   /// Gaps at coordinates that the workspace was last updated for.
   void find_gaps(Workspace& workspace, std::vector<GapState>& gaps) const noexcept;
+  /// The same where the workspace was evaluated with these latches: what a latched contact pressed with is known, and
+  /// no more than that is found of its gap (no reach and no region rate, which only matter in flight).
+  void find_gaps(Workspace& workspace, std::span<const ContactLatch> latches,
+                 std::vector<GapState>& gaps) const noexcept;
+  /// All of one gap, at points that are up to date.
+  [[nodiscard]] GapState find_gap(std::size_t contact, const Workspace& workspace) const noexcept;
 
   /// The earliest change of any contact between start and end of the attempted step: a gap that closes in free flight,
   /// or a contact that opens. Also finds those that begin and end inside the step. start and end are the gaps at the
@@ -45,10 +51,9 @@ class ContactEvents {
                                                  Workspace& workspace);
 
  private:
-  GapState find_gap(std::size_t contact, const Workspace& workspace) const noexcept;
   GapState find_gap_at(double share, std::size_t contact, const DenseStep& step, Workspace& workspace);
   std::optional<double> find_crossing(std::size_t contact, double sign, double limit, int n_parts,
-                                      const DenseStep& step, Workspace& workspace);
+                                      const GapState& start, const DenseStep& step, Workspace& workspace);
   int count_parts(std::size_t contact, bool in_contact, double h, const GapState& start, const GapState& end) const;
 
   const Tables* tables_;

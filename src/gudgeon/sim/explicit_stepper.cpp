@@ -11,7 +11,7 @@ namespace gudgeon {
 
 ExplicitStepper::ExplicitStepper(MotionEquations& equations, SolverStatistics& statistics,
                                  const ErrorTolerance& tolerance, double first_step)
-    : Stepper(equations, statistics, DormandPrince::kStages),
+    : Stepper(equations, statistics, Tsitouras::kStages),
       formula_(equations.n_states(), kEnergyIntegrals),
       control_(tolerance, first_step),
       tolerance_(tolerance) {}
@@ -35,7 +35,7 @@ void ExplicitStepper::end_at(double h) {
     equations_.eval(t, y, slope);
     take_samples(stage);
   });
-  statistics_.evaluations += DormandPrince::kStages - 1;
+  statistics_.evaluations += Tsitouras::kStages - 1;
 }
 
 double ExplicitStepper::find_stiffness() const noexcept {

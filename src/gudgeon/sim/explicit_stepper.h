@@ -4,9 +4,9 @@
 // Steps by the Runge-Kutta pair, their lengths by its error estimate.
 #pragma once
 
-#include "gudgeon/sim/dormand_prince.h"
 #include "gudgeon/sim/step_control.h"
 #include "gudgeon/sim/stepper.h"
+#include "gudgeon/sim/tsitouras.h"
 
 namespace gudgeon {
 
@@ -25,11 +25,12 @@ class ExplicitStepper final : public Stepper {
   /// h |λ| [1] of the last step, weighted by the tolerances.
   [[nodiscard]] double find_stiffness() const noexcept;
   void note_onset() override { control_.note_onset(); }
+  [[nodiscard]] bool evaluates_end() const override { return true; }
   [[nodiscard]] const DenseStep& dense() const override { return formula_; }
-  [[nodiscard]] std::span<const double> weights() const override { return DormandPrince::kWeights; }
+  [[nodiscard]] std::span<const double> weights() const override { return Tsitouras::kWeights; }
 
  private:
-  DormandPrince formula_;
+  Tsitouras formula_;
   StepControl control_;
   const ErrorTolerance& tolerance_;
   double attempted_ = 0.0;  // [s]

@@ -100,7 +100,7 @@ class MotionEquations {
       power[kFrictionLoss] += forces.friction_power;
       power[kSurfaceWork] += forces.surface_power;
     }
-    const double potential = find_load_power(*tables_, workspace.coordinates) - workspace.loads.storing_power;
+    const double potential = workspace.loads.constant_power - workspace.loads.storing_power;
     power[kExchanged] = std::abs(power[kDriverWork]) + std::abs(potential) + std::abs(power[kLoadWork]) +
                         power[kDamperLoss] + std::abs(power[kContactDamping]) + std::abs(power[kFrictionLoss]);
   }

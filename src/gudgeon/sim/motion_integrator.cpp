@@ -134,11 +134,19 @@ bool MotionIntegrator::pass_singular_position(double milestone) {
 // Tries a step and, when a contact changes within it, the part up to the change.
 bool MotionIntegrator::attempt_step(double longest, double left) {
   if (!stepper_->attempt(longest, left)) return false;
-  events_.find_gaps(equations_.workspace, end_gaps_);
+  find_end_gaps();
   const auto change = events_.find_first_change(stepper_->dense(), equations_.latches, gaps_, end_gaps_, scratch_);
   if (!change || land_on_change(*change)) return true;
   stepper_->shorten();
   return false;
+}
+
+void MotionIntegrator::find_end_gaps() {
+  if (stepper_->evaluates_end()) {
+    events_.find_gaps(equations_.workspace, equations_.latches, end_gaps_);
+  } else {
+    events_.find_gaps(equations_.workspace, end_gaps_);
+  }
 }
 
 // Ends the step again so as to end just on the near side of an onset, or just past a separation: within kOnsetTime of
@@ -156,7 +164,7 @@ bool MotionIntegrator::land_on_change(const ContactChange& change) {
   double h = expected;
   for (int pass = 0; pass < kMostLandings; ++pass) {
     stepper_->end_at(h);
-    events_.find_gaps(equations_.workspace, end_gaps_);
+    find_end_gaps();
     const double penetration = end_gaps_[k].penetration;
     const double rate = end_gaps_[k].penetration_rate;
     if (!std::isfinite(penetration)) {
@@ -179,7 +187,7 @@ bool MotionIntegrator::land_on_change(const ContactChange& change) {
     return true;
   }
   stepper_->end_at(expected > kSmallestStep ? expected : whole);
-  events_.find_gaps(equations_.workspace, end_gaps_);
+  find_end_gaps();
   return true;
 }
 
@@ -192,6 +200,7 @@ void MotionIntegrator::turn_latch(std::size_t k) {
   const bool has_bristle = system_.tables.contacts[k].bristle >= 0;
   if (latch.in_contact) {
     latch = {};
+    gaps_[k] = events_.find_gap(k, equations_.workspace);
     stepper_->forget_samples(k);  // the other stepper takes them over
     if (has_bristle) y_[equations_.bristle_at(k)] = 0.0;
     ++statistics_.separations;
@@ -221,7 +230,7 @@ void MotionIntegrator::accept(double milestone) {
   slope_ = stepper_->end_slope();
   strode_ = false;
   // Gaps at a change of contact are where they have to be: its closures wait for the next step.
-  if (!changing_contact_ && settle() > 0) events_.find_gaps(equations_.workspace, end_gaps_);
+  if (!changing_contact_ && settle() > 0) events_.find_gaps(equations_.workspace, equations_.latches, end_gaps_);
   std::swap(gaps_, end_gaps_);
   if (!stepper_->projects_closures()) {
     passage_.note(time_, y_, slope_, find_singular_closeness(system_.tables, equations_.workspace));

@@ -65,6 +65,7 @@ class MotionIntegrator {
   void choose_stepper();
   bool pass_singular_position(double milestone);
   bool attempt_step(double longest, double left);
+  void find_end_gaps();
   bool land_on_change(const ContactChange& change);
   void turn_latch(std::size_t contact);
   void accept(double milestone);

@@ -27,7 +27,7 @@ StepControl::StepControl(const ErrorTolerance& tolerance, double first_step)
     : tolerance_(&tolerance), next_(first_step) {}
 
 // Root mean square of the local errors against their tolerances; not finite when anything is not.
-double StepControl::find_error(const DormandPrince& stepper) const {
+double StepControl::find_error(const Tsitouras& stepper) const {
   const std::size_t n_controlled = tolerance_->n_controlled();
   double sum = 0.0;
   for (std::size_t i = 0; i < stepper.end().size(); ++i) {
@@ -41,7 +41,7 @@ double StepControl::find_error(const DormandPrince& stepper) const {
   return std::max(std::sqrt(sum / count), kLeastError);
 }
 
-bool StepControl::accepts(const DormandPrince& stepper) {
+bool StepControl::accepts(const Tsitouras& stepper) {
   const double error = find_error(stepper);
   if (!std::isfinite(error)) {
     next_ = kLeastChange * stepper.step();

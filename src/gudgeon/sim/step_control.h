@@ -6,8 +6,8 @@
 
 #include <cstddef>
 
-#include "gudgeon/sim/dormand_prince.h"
 #include "gudgeon/sim/error_tolerance.h"
+#include "gudgeon/sim/tsitouras.h"
 
 namespace gudgeon {
 
@@ -21,7 +21,7 @@ class StepControl {
   [[nodiscard]] double next_step() const { return next_; }
 
   /// Whether the attempted step keeps the tolerance; proposes the next length either way.
-  bool accepts(const DormandPrince& stepper);
+  bool accepts(const Tsitouras& stepper);
 
   /// The step kept the tolerance but could not be used for another reason.
   void shorten(double h);
@@ -33,7 +33,7 @@ class StepControl {
   void note_step(double h);
 
  private:
-  [[nodiscard]] double find_error(const DormandPrince& stepper) const;
+  [[nodiscard]] double find_error(const Tsitouras& stepper) const;
 
   const ErrorTolerance* tolerance_;
   double next_;

@@ -45,6 +45,8 @@ class Stepper {
   [[nodiscard]] virtual double next_step() const = 0;
   /// A contact begins where the next step starts.
   virtual void note_onset() {}
+  /// Whether an attempt leaves all of the workspace at its end, not only the coordinates.
+  [[nodiscard]] virtual bool evaluates_end() const { return false; }
   /// Whether closures are projected within a step, so that nobody else has to.
   [[nodiscard]] virtual bool projects_closures() const { return false; }
   /// The last attempt or step.

@@ -6,13 +6,13 @@
 
 #include <algorithm>
 
-#include "gudgeon/sim/dormand_prince.h"
+#include "gudgeon/sim/tsitouras.h"
 
 namespace gudgeon {
 
 namespace {
 
-// The pair is stable up to 3.3 for decays and down to 1 for swings; a controlled step keeps a little off. Where
+// The pair is stable up to 3.5 for decays and down to 1 for swings; a controlled step keeps a little off. Where
 // accuracy holds the step it is below 1 at any tolerance in use.
 constexpr double kStiff = 1.5;
 // So many smooth steps on end void the stiff ones before (Hairer & Wanner 1996, IV.2).
@@ -34,7 +34,7 @@ bool StiffnessWatch::note_explicit_step(double h, double stiffness) {
     stiff_time_ = 0.0;
   }
   if (n_stiff_ < patience_) return false;
-  stake_ = n_stiff_ * (DormandPrince::kStages - 1);
+  stake_ = n_stiff_ * (Tsitouras::kStages - 1);
   explicit_cost_ = stake_ / stiff_time_;
   n_stiff_ = 0;
   stiff_time_ = 0.0;

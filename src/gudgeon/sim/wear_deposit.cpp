@@ -87,30 +87,37 @@ void WearDeposit::add(const ContactSample& sample, double weight) noexcept {
   volume_ += (bearing_depth + journal_depth) * length * contact.width;
 
   // As angles of the unworn radii, so that depth times circumference is the volume removed.
+  const double direction = std::atan2(sample.normal.y, sample.normal.x);
   const double bearing_width = length / bearing_radius_;
-  const double bearing_at = find_bearing_angle(sample, bearing_width);
-  const double journal_at = std::atan2(sample.normal.y, sample.normal.x) - sample.journal_angle;
-  const auto bearing_surface = static_cast<std::size_t>(sample.bearing_surface);
-  lay(bearing_[bearing_surface], bearing_at, bearing_width, bearing_depth);
-  lay(journal_[static_cast<std::size_t>(sample.journal_surface)], journal_at, length / journal_radius_, journal_depth);
-  lay(total_[bearing_surface], bearing_at, bearing_width, bearing_depth + journal_depth);
+  const double bearing_at =
+      slot_length_ > 0.0 ? find_side_angle(sample.bearing_position, bearing_width) : direction - sample.bearing_angle;
+  const auto surface = static_cast<std::size_t>(sample.bearing_surface);
+  lay({{&bearing_[surface], bearing_depth}, {&total_[surface], bearing_depth + journal_depth}}, bearing_at,
+      bearing_width);
+  lay({{&journal_[static_cast<std::size_t>(sample.journal_surface)], journal_depth}}, direction - sample.journal_angle,
+      length / journal_radius_);
 }
 
-void WearDeposit::lay(ArcAccumulator& surface, double angle, double width, double mean_depth) const noexcept {
+// On all that are given, at the same place.
+void WearDeposit::lay(std::initializer_list<Layer> layers, double angle, double width) const noexcept {
   const bool parabolic = contacts_.front().pressure == PressureDistribution::parabolic;
-  if (deposition_ == Deposition::point) {
-    surface.add_point(angle, parabolic ? kParabolaPeak * mean_depth : mean_depth);
-  } else if (parabolic) {
-    surface.add_parabola(angle, width, mean_depth);
-  } else {
-    surface.add_arc(angle, width, mean_depth);
+  if (deposition_ == Deposition::spread && !parabolic) {
+    const ArcAccumulator::Arc arc = layers.begin()->surface->find_arc(angle, width);
+    for (const Layer& layer : layers) layer.surface->add_arc(arc, layer.mean_depth);
+    return;
+  }
+  for (const auto& [surface, mean_depth] : layers) {
+    if (deposition_ == Deposition::point) {
+      surface->add_point(angle, parabolic ? kParabolaPeak * mean_depth : mean_depth);
+    } else {
+      surface->add_parabola(angle, width, mean_depth);
+    }
   }
 }
 
-// Where the middle of the contact is, so that none of it lies past the ends of a slot.
-double WearDeposit::find_bearing_angle(const ContactSample& sample, double width) const noexcept {
-  if (slot_length_ == 0.0) return std::atan2(sample.normal.y, sample.normal.x) - sample.bearing_angle;
-  const double at = (sample.bearing_position + 0.5 * slot_length_) / bearing_radius_;
+// Where the middle of a contact on a side is, so that none of it lies past the ends of the slot.
+double WearDeposit::find_side_angle(double position, double width) const noexcept {
+  const double at = (position + 0.5 * slot_length_) / bearing_radius_;
   const double margin = std::min(0.5 * width, std::numbers::pi);
   return std::clamp(at, margin, 2.0 * std::numbers::pi - margin);
 }

@@ -4,6 +4,7 @@
 // Wear of one clearance joint, laid down region by region while a stage runs.
 #pragma once
 
+#include <initializer_list>
 #include <span>
 
 #include "gudgeon/geometry/arc_accumulator.h"
@@ -35,8 +36,12 @@ class WearDeposit {
   [[nodiscard]] JointWear summarize(const std::string& joint) const;
 
  private:
-  void lay(ArcAccumulator& surface, double angle, double width, double mean_depth) const noexcept;
-  [[nodiscard]] double find_bearing_angle(const ContactSample& sample, double width) const noexcept;
+  struct Layer {
+    ArcAccumulator* surface;
+    double mean_depth;  // [m] over the arc
+  };
+  void lay(std::initializer_list<Layer> layers, double angle, double width) const noexcept;
+  [[nodiscard]] double find_side_angle(double position, double width) const noexcept;
 
   std::span<const Contact> contacts_;
   Deposition deposition_;

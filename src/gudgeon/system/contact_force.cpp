@@ -8,8 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "gudgeon/system/coordinates.h"
-
 namespace gudgeon {
 
 namespace {
@@ -56,16 +54,6 @@ double find_bristle_scale(const AnyFriction& friction) {
 double find_contact_modulus(const Material& bearing, const Material& journal) {
   const auto compliance = [](const Material& m) { return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus; };
   return 1.0 / (compliance(bearing) + compliance(journal));
-}
-
-RelativeMotion find_contact_motion(const Contact& contact, const Coordinates& coordinates, Vec2 bearing_position,
-                                   Vec2 bearing_velocity, Vec2 journal_position, Vec2 journal_velocity) noexcept {
-  return {journal_position - bearing_position,
-          journal_velocity - bearing_velocity,
-          coordinates.angle[contact.bearing_turn] + contact.bearing_offset,
-          coordinates.angle[contact.journal_turn] + contact.journal_offset,
-          coordinates.angle_rate[contact.bearing_turn],
-          coordinates.angle_rate[contact.journal_turn]};
 }
 
 void update_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,

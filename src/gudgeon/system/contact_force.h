@@ -6,6 +6,7 @@
 
 #include "gudgeon/geometry/contact_surfaces.h"
 #include "gudgeon/model/joint.h"
+#include "gudgeon/system/coordinates.h"
 
 namespace gudgeon {
 
@@ -68,8 +69,16 @@ struct ContactForces {
 };
 
 /// Position and motion of the contact, from the motion of its two points and bodies.
-RelativeMotion find_contact_motion(const Contact& contact, const struct Coordinates& coordinates, Vec2 bearing_position,
-                                   Vec2 bearing_velocity, Vec2 journal_position, Vec2 journal_velocity) noexcept;
+inline RelativeMotion find_contact_motion(const Contact& contact, const Coordinates& coordinates, Vec2 bearing_position,
+                                          Vec2 bearing_velocity, Vec2 journal_position,
+                                          Vec2 journal_velocity) noexcept {
+  return {journal_position - bearing_position,
+          journal_velocity - bearing_velocity,
+          coordinates.angle[contact.bearing_turn] + contact.bearing_offset,
+          coordinates.angle[contact.journal_turn] + contact.journal_offset,
+          coordinates.angle_rate[contact.bearing_turn],
+          coordinates.angle_rate[contact.journal_turn]};
+}
 
 /// The forces of a contact that is latched. Both bodies feel equal and opposite forces at one common point in the
 /// middle of the overlap, so momentum and angular momentum are kept. Stiffness K = factor √R_r, eq. (35), with the

@@ -46,13 +46,6 @@ void update_point_motions(const Tables& tables, Workspace& workspace) noexcept {
   tables.points.find_motions(workspace.coordinates, workspace.point_motions.data());
 }
 
-RelativeMotion find_contact_motion(const Contact& contact, const Workspace& workspace) noexcept {
-  const auto& bearing = workspace.point_motions[contact.bearing_row];
-  const auto& journal = workspace.point_motions[contact.journal_row];
-  return find_contact_motion(contact, workspace.coordinates, bearing.position, bearing.velocity, journal.position,
-                             journal.velocity);
-}
-
 namespace {
 
 // Pivots may be this much smaller than at the start before rounding in the elimination matters: errors grow with their
@@ -143,18 +136,6 @@ double find_driver_power(const Workspace& workspace) noexcept {
   double power = 0.0;
   for (std::size_t d = 0; d < workspace.effort.size(); ++d)
     power += workspace.effort[d] * workspace.coordinates.driven[d].rate;
-  return power;
-}
-
-double find_load_power(const Tables& tables, const Coordinates& coordinates) noexcept {
-  double power = 0.0;
-  for (const FieldTerm& field : tables.fields) {
-    const Rotation r = coordinates.rotation[field.turn];
-    power +=
-        coordinates.angle_rate[field.turn] * coordinates.slide[field.slide] * (field.cross * r.c - field.dot * r.s) +
-        coordinates.slide_rate[field.slide] * (field.dot * r.c + field.cross * r.s);
-  }
-  for (const TurnTorque& torque : tables.torques) power += coordinates.angle_rate[torque.turn] * torque.torque;
   return power;
 }
 

@@ -25,7 +25,12 @@ void update_coordinates(const Tables& tables, double t, const double* q, const d
 void update_point_motions(const Tables& tables, Workspace& workspace) noexcept;
 
 /// The state of one contact's gap; needs update_point_motions.
-RelativeMotion find_contact_motion(const Contact& contact, const Workspace& workspace) noexcept;
+inline RelativeMotion find_contact_motion(const Contact& contact, const Workspace& workspace) noexcept {
+  const auto& bearing = workspace.point_motions[contact.bearing_row];
+  const auto& journal = workspace.point_motions[contact.journal_row];
+  return find_contact_motion(contact, workspace.coordinates, bearing.position, bearing.velocity, journal.position,
+                             journal.velocity);
+}
 
 /// Solves [H Jᵀ; J 0] [q̈; −λ] = [Q; γ] for the state (t, q, v, workspace.bristles) with the given latches, one a
 /// contact. Writes all of the workspace; the accelerations are workspace.equations[0 … n_free). No allocation, no
@@ -50,7 +55,5 @@ int find_weakest_closure(const Tables& tables, const Workspace& workspace) noexc
 
 /// Power [W] that the drivers deliver, from the last evaluation.
 double find_driver_power(const Workspace& workspace) noexcept;
-/// Power [W] that gravity and constant loads deliver at the coordinates.
-double find_load_power(const Tables& tables, const Coordinates& coordinates) noexcept;
 
 }  // namespace gudgeon

@@ -67,12 +67,20 @@ void add_slide_pairs(const Tables& tables, Workspace& ws) noexcept {
 
 void add_constant_loads(const Tables& tables, Workspace& ws) noexcept {
   const Coordinates& at = ws.coordinates;
+  double power = 0.0;
   for (const FieldTerm& field : tables.fields) {
     const Rotation r = at.rotation[field.turn];
-    ws.equations[field.index_turn] += at.slide[field.slide] * (field.cross * r.c - field.dot * r.s);
-    ws.equations[field.index_slide] += field.dot * r.c + field.cross * r.s;
+    const double torque = at.slide[field.slide] * (field.cross * r.c - field.dot * r.s);
+    const double force = field.dot * r.c + field.cross * r.s;
+    ws.equations[field.index_turn] += torque;
+    ws.equations[field.index_slide] += force;
+    power += at.angle_rate[field.turn] * torque + at.slide_rate[field.slide] * force;
   }
-  for (const TurnTorque& torque : tables.torques) ws.equations[torque.index] += torque.torque;
+  for (const TurnTorque& torque : tables.torques) {
+    ws.equations[torque.index] += torque.torque;
+    power += at.angle_rate[torque.turn] * torque.torque;
+  }
+  ws.loads.constant_power = power;
 }
 
 void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, Workspace& ws) noexcept {
@@ -96,7 +104,7 @@ void add_point_loads(const Tables& tables, Workspace& ws) noexcept {
   for (std::size_t r = rows.size(); r-- > 0;) {
     const PointChain::Row& row = rows[r];
     const Vec2 load = ws.point_loads[r];
-    const Vec2 arm = ws.coordinates.rotation[row.turn] * row.vector;
+    const Vec2 arm = ws.point_motions[r].arm;
     ws.equations[tables.chain_index_turn[r]] += ws.coordinates.slide[row.slide] * cross(arm, load);
     ws.equations[tables.chain_index_slide[r]] += dot(arm, load);
     if (row.predecessor >= 0) ws.point_loads[row.predecessor] += load;

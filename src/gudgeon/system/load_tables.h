@@ -129,7 +129,8 @@ struct LoadScratch {
   std::vector<double> channel_values;
   std::vector<ExpressionEvaluator> evaluators;  ///< not to be shared by threads
   std::vector<LoadEffect> effects;              ///< one a load of the mechanism
-  double work_power = 0.0;                      ///< [W] sums over all loads
+  double constant_power = 0.0;                  ///< [W] of constant forces and torques, gravity among them
+  double work_power = 0.0;                      ///< [W] sums over all other loads
   double damper_power = 0.0;
   double storing_power = 0.0;
 };

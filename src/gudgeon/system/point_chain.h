@@ -22,6 +22,7 @@ class PointChain {
   struct PointMotion {
     Vec2 position;  ///< [m]
     Vec2 velocity;  ///< [m/s]
+    Vec2 arm;       ///< the row's vector, turned
   };
 
   /// Adds the rows of a path that are not there yet; returns the row of its end. An empty path is given a row too.
@@ -43,7 +44,7 @@ class PointChain {
         position += motions[row.predecessor].position;
         velocity += motions[row.predecessor].velocity;
       }
-      motions[r] = {position, velocity};
+      motions[r] = {position, velocity, arm};
     }
   }
 

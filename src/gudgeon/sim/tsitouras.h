@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The explicit Runge-Kutta pair of Dormand and Prince, order 5(4), with dense output of order 4.
+// The explicit Runge-Kutta pair of Tsitouras, order 5(4), with dense output of order 4.
 #pragma once
 
 #include <algorithm>
@@ -17,19 +17,19 @@
 namespace gudgeon {
 
 /// One step at a time; who decides on its length sees the error estimate first. The last stage of a step is the first
-/// of the next. Dormand & Prince 1980; dense output of Hairer, Nørsett & Wanner 1993, II.6. Allocates nothing after
+/// of the next. Ch. Tsitouras, Computers & Mathematics with Applications 62 (2011) 770. Allocates nothing after
 /// construction.
-class DormandPrince final : public DenseStep {
+class Tsitouras final : public DenseStep {
  public:
   static constexpr int kStages = 7;
   /// When, in shares of the step, the stages are taken, and the weights of the fifth-order solution: a quantity that
   /// is integrated along takes the same weights.
-  static constexpr std::array<double, kStages> kNodes{0.0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1.0, 1.0};
-  static constexpr std::array<double, kStages> kWeights{35.0 / 384,     0.0,       500.0 / 1113, 125.0 / 192,
-                                                        -2187.0 / 6784, 11.0 / 84, 0.0};
+  static constexpr std::array<double, kStages> kNodes{0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0};
+  static constexpr std::array<double, kStages> kWeights{
+      0.09646076681806523, 0.01, 0.4798896504144996, 1.379008574103742, -3.290069515436081, 2.324710524099774, 0.0};
 
   /// y is n_states components that its slope depends on, then n_integrals of what is only summed up.
-  DormandPrince(std::size_t n_states, std::size_t n_integrals)
+  Tsitouras(std::size_t n_states, std::size_t n_integrals)
       : n_states_(n_states),
         n_(n_states + n_integrals),
         start_(n_),
@@ -63,7 +63,7 @@ class DormandPrince final : public DenseStep {
   [[nodiscard]] const std::vector<double>& error() const { return error_; }
 
   /// h |λ| [1] of the last attempt, λ the fastest rate that its last two stages, which are at one time, feel; beyond
-  /// 3.3 decays are not stable. weigh(i, size) is by how much component i counts. Hairer & Wanner 1996, IV.2.
+  /// 3.5 decays are not stable. weigh(i, size) is by how much component i counts. Hairer & Wanner 1996, IV.2.
   template <class Weigh>
   [[nodiscard]] double find_stiffness(std::size_t n_counted, Weigh&& weigh) const noexcept {
     double slopes = 0.0;
@@ -82,34 +82,42 @@ class DormandPrince final : public DenseStep {
 
   /// Within the last attempt.
   void interpolate(double share, std::size_t n_wanted, double* y) const noexcept override {
-    const double rest = 1.0 - share;
+    std::array<double, kStages> weights;
+    for (int j = 0; j < kStages; ++j) {
+      const auto& [constant, linear, square] = kDenseWeights[j];
+      weights[j] = share * (1.0 - share) * h_ * (constant + share * (linear + share * square));
+    }
     for (std::size_t i = 0; i < n_wanted; ++i) {
-      const double difference = end_[i] - start_[i];
-      const double bump = h_ * slope_of(0)[i] - difference;
-      const double skew = difference - h_ * slope_of(kStages - 1)[i] - bump;
-      const double fourth = sum_slopes<kStages>(kDenseWeights, i);
-      y[i] = start_[i] + share * (difference + rest * (bump + share * (skew + rest * h_ * fourth)));
+      double bend = 0.0;
+      for (int j = 0; j < kStages; ++j) bend += weights[j] * slope_of(j)[i];
+      y[i] = (1.0 - share) * start_[i] + share * end_[i] + bend;
     }
   }
 
  private:
   static constexpr std::array<std::array<double, 6>, kStages> kCoefficients{{
       {},
-      {1.0 / 5},
-      {3.0 / 40, 9.0 / 40},
-      {44.0 / 45, -56.0 / 15, 32.0 / 9},
-      {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-      {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-      {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
+      {0.161},
+      {-0.008480655492356989, 0.335480655492357},
+      {2.8971530571054935, -6.359448489975075, 4.3622954328695815},
+      {5.325864828439257, -11.748883564062828, 7.4955393428898365, -0.09249506636175525},
+      {5.86145544294642, -12.92096931784711, 8.159367898576159, -0.071584973281401, -0.028269050394068383},
+      {0.09646076681806523, 0.01, 0.4798896504144996, 1.379008574103742, -3.290069515436081, 2.324710524099774},
   }};
   // Fifth- minus fourth-order weights.
-  static constexpr std::array<double, kStages> kErrorWeights{71.0 / 57600,      0.0,        -71.0 / 16695, 71.0 / 1920,
-                                                             -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
-  static constexpr std::array<double, kStages> kDenseWeights{
-      -12715105075.0 / 11282082432.0,  0.0,
-      87487479700.0 / 32700410799.0,   -10690763975.0 / 1880347072.0,
-      701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0,
-      69997945.0 / 29380423.0};
+  static constexpr std::array<double, kStages> kErrorWeights{
+      -0.00178001105222577714, -0.0008164344596567469, 0.007880878010261995, -0.1447110071732629,
+      0.5823571654525552,      -0.45808210592918697,   0.015151515151515152};
+  // d₀, d₁, d₂ of each stage: y(s) = (1 − s) y₀ + s y₁ + s (1 − s) h Σ (d₀ + s d₁ + s² d₂) k.
+  static constexpr std::array<std::array<double, 3>, kStages> kDenseWeights{{
+      {0.90353923318193474, -1.8601669640928911, 1.0530884977290216},
+      {-0.01, 0.1217, -0.1017},
+      {-0.4798896504144996, 3.450406586480252, -2.4906272856512528},
+      {-1.379008574103742, -13.790085741037419, 16.548102889244902},
+      {3.290069515436081, 40.799382931947122, -47.379521962819283},
+      {-2.324710524099774, -30.221236813297061, 34.870657861496611},
+      {0.0, 1.5, -2.5},
+  }};
 
   [[nodiscard]] const double* slope_of(int stage) const {
     return slopes_.data() + static_cast<std::size_t>(stage) * n_;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Orders, weights and stages of the Runge-Kutta pair, on problems with closed forms.
-#include "gudgeon/sim/dormand_prince.h"
+#include "gudgeon/sim/tsitouras.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ std::vector<double> make_start() { return {1.0 / (1.0 + kStartTime * kStartTime)
 const auto kRhs = [](int, double t, const double* y, double* slope) { eval_problem(t, y, slope); };
 
 // Goes on for `duration` in n steps and stays in the last one.
-DormandPrince run_steps(double duration, int n) {
-  DormandPrince stepper(2, 0);
+Tsitouras run_steps(double duration, int n) {
+  Tsitouras stepper(2, 0);
   std::vector<double> y = make_start();
   std::vector<double> slope(2);
   eval_problem(kStartTime, y.data(), slope.data());
@@ -42,12 +42,12 @@ DormandPrince run_steps(double duration, int n) {
 
 // Largest error of the dense output of a first step of length h.
 double find_dense_error(double h) {
-  const DormandPrince coarse = run_steps(h, 1);
+  const Tsitouras coarse = run_steps(h, 1);
   double error = 0.0;
   for (const double share : {0.17, 0.4, 0.63, 0.88}) {
     std::vector<double> y(2);
     coarse.interpolate(share, 2, y.data());
-    const DormandPrince fine = run_steps(share * h, 64);
+    const Tsitouras fine = run_steps(share * h, 64);
     for (int i = 0; i < 2; ++i) error = std::max(error, std::abs(y[i] - fine.end()[i]));
   }
   return error;
@@ -55,7 +55,7 @@ double find_dense_error(double h) {
 
 double find_order(double coarse_error, double fine_error) { return std::log2(coarse_error / fine_error); }
 
-TEST(DormandPrince, ConvergesWithOrderFive) {
+TEST(Tsitouras, ConvergesWithOrderFive) {
   const auto error = [](int n) { return std::abs(run_steps(1.5, n).end()[0] - 1.0 / (1.0 + 2.0 * 2.0)); };
   // The next term of the error shows: at these lengths it moves the order by a third at most, a wrong one by a whole.
   EXPECT_NEAR(find_order(error(32), error(64)), 5.0, 0.35);
@@ -63,22 +63,22 @@ TEST(DormandPrince, ConvergesWithOrderFive) {
   EXPECT_LT(error(64), 1e-9);
 }
 
-TEST(DormandPrince, DenseOutputHasOrderFour) {
+TEST(Tsitouras, DenseOutputHasOrderFour) {
   // One step's local error goes with the order plus one.
   EXPECT_NEAR(find_order(find_dense_error(0.05), find_dense_error(0.025)), 5.0, 0.35);
   EXPECT_NEAR(find_order(find_dense_error(0.025), find_dense_error(0.0125)), 5.0, 0.35);
 }
 
-TEST(DormandPrince, ErrorEstimateIsThatOfTheFourthOrder) {
+TEST(Tsitouras, ErrorEstimateIsThatOfTheFourthOrder) {
   const auto estimate = [](double h) { return std::abs(run_steps(h, 1).error()[1]); };
   EXPECT_NEAR(find_order(estimate(0.1), estimate(0.05)), 5.0, 0.3);
   const double true_error = std::abs(run_steps(0.1, 1).end()[0] - 1.0 / 1.36);
   EXPECT_LT(true_error, std::abs(run_steps(0.1, 1).error()[0])) << "the estimate is on the safe side";
 }
 
-TEST(DormandPrince, DenseOutputIsExactForQuarticsAndMeetsBothEnds) {
+TEST(Tsitouras, DenseOutputIsExactForQuarticsAndMeetsBothEnds) {
   // ẏ = 4 t³ − 6 t: exact for polynomials up to the order; 1e-14 is a few roundings of numbers near 1.
-  DormandPrince stepper(1, 0);
+  Tsitouras stepper(1, 0);
   stepper.begin(0.5, {0.0}, {4.0 * 0.125 - 3.0});
   stepper.attempt(0.8, [](int, double t, const double*, double* slope) { slope[0] = 4.0 * t * t * t - 6.0 * t; });
   const auto exact = [](double t) { return t * t * t * t - 3.0 * t * t - (0.0625 - 0.75); };
@@ -90,13 +90,13 @@ TEST(DormandPrince, DenseOutputIsExactForQuarticsAndMeetsBothEnds) {
   EXPECT_EQ(y, stepper.end()[0]) << "the end exactly, not to rounding";
 }
 
-TEST(DormandPrince, WeightsSumToOneAndIntegrateAlong) {
-  const auto& weights = DormandPrince::kWeights;
+TEST(Tsitouras, WeightsSumToOneAndIntegrateAlong) {
+  const auto& weights = Tsitouras::kWeights;
   EXPECT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1.0, 1e-15);
   // A quadrature of order five: ∫ tᵏ dt = 1/(k + 1) up to k = 4, and not beyond.
   for (int power = 1; power <= 5; ++power) {
     double sum = 0.0;
-    for (int s = 0; s < DormandPrince::kStages; ++s) sum += weights[s] * std::pow(DormandPrince::kNodes[s], power);
+    for (int s = 0; s < Tsitouras::kStages; ++s) sum += weights[s] * std::pow(Tsitouras::kNodes[s], power);
     if (power <= 4) {
       EXPECT_NEAR(sum, 1.0 / (power + 1), 1e-15) << power;
     } else {
@@ -105,15 +105,15 @@ TEST(DormandPrince, WeightsSumToOneAndIntegrateAlong) {
   }
 }
 
-TEST(DormandPrince, StagesAreCalledInOrderAtTheirNodesAndTheLastIsTheEnd) {
-  DormandPrince stepper(2, 0);
+TEST(Tsitouras, StagesAreCalledInOrderAtTheirNodesAndTheLastIsTheEnd) {
+  Tsitouras stepper(2, 0);
   std::vector<double> slope(2);
   const std::vector<double> start = make_start();
   eval_problem(0.4, start.data(), slope.data());
   stepper.begin(0.4, start, slope);
   std::vector<int> stages;
   stepper.attempt(0.2, [&](int stage, double t, const double* y, double* dydt) {
-    EXPECT_DOUBLE_EQ(t, 0.4 + 0.2 * DormandPrince::kNodes[stage]);
+    EXPECT_DOUBLE_EQ(t, 0.4 + 0.2 * Tsitouras::kNodes[stage]);
     stages.push_back(stage);
     EXPECT_EQ(y == stepper.end().data(), stage == 6);
     eval_problem(t, y, dydt);
@@ -130,8 +130,8 @@ TEST(DormandPrince, StagesAreCalledInOrderAtTheirNodesAndTheLastIsTheEnd) {
 }
 
 // ∫ 5 t⁴ dt beside a state: a rule of order five is exact for it, and no stage sees it.
-TEST(DormandPrince, SumsIntegralsWithTheWeights) {
-  DormandPrince stepper(1, 1);
+TEST(Tsitouras, SumsIntegralsWithTheWeights) {
+  Tsitouras stepper(1, 1);
   const double start = std::pow(0.3, 4);
   stepper.begin(0.3, {1.0, 2.0}, {-1.0, 5.0 * start});
   stepper.attempt(0.5, [](int, double t, const double* y, double* slope) {
@@ -143,9 +143,9 @@ TEST(DormandPrince, SumsIntegralsWithTheWeights) {
 }
 
 // ẏ = −40 y beside a slow component that counts for nothing.
-TEST(DormandPrince, FeelsTheFastestRate) {
+TEST(Tsitouras, FeelsTheFastestRate) {
   constexpr double kRate = 40.0;
-  DormandPrince stepper(2, 0);
+  Tsitouras stepper(2, 0);
   for (const double h : {1e-3, 0.05, 0.1}) {
     stepper.begin(0.0, {2.0, 1.0}, {-2.0 * kRate, 1.0});
     stepper.attempt(h, [](int, double t, const double* y, double* slope) {
@@ -158,8 +158,8 @@ TEST(DormandPrince, FeelsTheFastestRate) {
   }
 }
 
-TEST(DormandPrince, FeelsNothingWhereNothingMoves) {
-  DormandPrince stepper(1, 0);
+TEST(Tsitouras, FeelsNothingWhereNothingMoves) {
+  Tsitouras stepper(1, 0);
   stepper.begin(0.0, {1.0}, {0.0});
   stepper.attempt(0.1, [](int, double, const double*, double* slope) { slope[0] = 0.0; });
   EXPECT_EQ(stepper.find_stiffness(1, [](std::size_t, double) { return 1.0; }), 0.0);
