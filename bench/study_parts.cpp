@@ -20,6 +20,7 @@
 #include "bench/paired_rounds.h"
 #include "gudgeon/io/model_reader.h"
 #include "gudgeon/model/cycle_time.h"
+#include "gudgeon/sim/case_turns.h"
 #include "gudgeon/sim/motion_integrator.h"
 #include "gudgeon/sim/run_study.h"
 #include "gudgeon/sim/stage_run.h"
@@ -80,11 +81,18 @@ long run_motion(const NineBarStudy& at, Look&& look) {
 void run_programme(int cycles, int n_threads) {
   std::atomic<std::size_t> next = 0;
   const auto start = std::chrono::steady_clock::now();
+  CaseTurns turns(static_cast<int>(kCases.size()), n_threads);
   const auto work = [&] {
     for (std::size_t i = next++; i < kCases.size(); i = next++) {
+      turns.wait(static_cast<int>(i));
       const NineBarStudy at = read_nine_bar(kCases[i], cycles);
       const double begin = read_cpu_clock();
-      const auto stages = run_study(at.mechanism, at.study);
+      RunHooks hooks;
+      hooks.progress = [&](const Progress& progress) {
+        turns.pass(static_cast<int>(i), (progress.stage_index + progress.fraction) / progress.n_stages);
+      };
+      const auto stages = run_study(at.mechanism, at.study, hooks);
+      turns.end();
       const std::string threads = " on " + std::to_string(n_threads);
       write_row("case_time", name_case(kCases[i]) + threads, read_cpu_clock() - begin, "s");
       if (n_threads > 1) continue;
@@ -98,7 +106,7 @@ void run_programme(int cycles, int n_threads) {
   };
   {
     std::vector<std::jthread> threads;
-    for (int k = 0; k < n_threads; ++k) threads.emplace_back(work);
+    for (int k = 0; k < 2 * n_threads - 1; ++k) threads.emplace_back(work);
   }
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_row("programme_wall_time", std::to_string(n_threads) + "_threads", wall, "s");

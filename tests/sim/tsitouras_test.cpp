@@ -71,7 +71,8 @@ TEST(Tsitouras, DenseOutputHasOrderFour) {
 
 TEST(Tsitouras, ErrorEstimateIsThatOfTheFourthOrder) {
   const auto estimate = [](double h) { return std::abs(run_steps(h, 1).error()[1]); };
-  EXPECT_NEAR(find_order(estimate(0.1), estimate(0.05)), 5.0, 0.3);
+  // Its series converges slowly: at 0.1 the next term still takes half an order.
+  EXPECT_NEAR(find_order(estimate(0.025), estimate(0.0125)), 5.0, 0.3);
   const double true_error = std::abs(run_steps(0.1, 1).end()[0] - 1.0 / 1.36);
   EXPECT_LT(true_error, std::abs(run_steps(0.1, 1).error()[0])) << "the estimate is on the safe side";
 }

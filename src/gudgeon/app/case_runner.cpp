@@ -16,6 +16,7 @@
 #include "gudgeon/io/explain.h"
 #include "gudgeon/io/run_reader.h"
 #include "gudgeon/io/run_writer.h"
+#include "gudgeon/sim/case_turns.h"
 #include "gudgeon/sim/run_study.h"
 
 namespace gudgeon {
@@ -55,7 +56,10 @@ std::vector<StageRecord> read_finished_stages(const CaseRun& one, const RunRecor
   return std::move(earlier.stages);
 }
 
-void run_stages(CaseRun& one, int index, Existing existing, const std::stop_token& stop, ProgressDisplay& display) {
+double find_share(const Progress& progress) { return (progress.stage_index + progress.fraction) / progress.n_stages; }
+
+void run_stages(CaseRun& one, int index, Existing existing, const std::stop_token& stop, ProgressDisplay& display,
+                CaseTurns& turns) {
   const RunRecord header = make_header(one);
   std::vector<StageRecord> finished;
   if (existing == Existing::resume) finished = read_finished_stages(one, header);
@@ -63,7 +67,10 @@ void run_stages(CaseRun& one, int index, Existing existing, const std::stop_toke
   one.is_written = true;
   RunHooks hooks;
   hooks.stop = stop;
-  hooks.progress = [&](const Progress& progress) { display.update(index, progress); };
+  hooks.progress = [&](const Progress& progress) {
+    display.update(index, progress);
+    turns.pass(index, find_share(progress));
+  };
   hooks.stage_finished = [&](const StageRecord& stage) {
     writer.append(stage);
     update_outcome(one, stage);
@@ -72,10 +79,11 @@ void run_stages(CaseRun& one, int index, Existing existing, const std::stop_toke
 }
 
 /// Every failure of a case ends here: an exception may not leave its thread.
-void run_case(CaseRun& one, int index, Existing existing, const std::stop_token& stop, ProgressDisplay& display) {
+void run_case(CaseRun& one, int index, Existing existing, const std::stop_token& stop, ProgressDisplay& display,
+              CaseTurns& turns) {
   display.begin(index);
   try {
-    run_stages(one, index, existing, stop, display);
+    run_stages(one, index, existing, stop, display, turns);
   } catch (const ModelError& error) {
     one.code = ExitCode::model;
     one.message = render(error.diagnostics(), one.model.source);
@@ -98,20 +106,23 @@ int run_cases(std::vector<CaseRun>& cases, int n_threads, Existing existing, Pro
   std::atomic<int> next = 0;
   std::atomic<int> n_done = 0;
   const int n_cases = static_cast<int>(cases.size());
+  CaseTurns turns(n_cases, n_threads);
   const auto work = [&] {
     for (int i = next++; i < n_cases; i = next++) {
+      turns.wait(i);
       if (stop.stop_requested()) {
         cases[i].code = ExitCode::interrupted;
         cases[i].message = "not started";
       } else {
-        run_case(cases[i], i, existing, stop.get_token(), display);
+        run_case(cases[i], i, existing, stop.get_token(), display, turns);
       }
+      turns.end();
       n_done.fetch_add(1);
       n_done.notify_one();
     }
   };
   std::vector<std::jthread> threads;
-  for (int i = 0; i < std::min(n_threads, n_cases); ++i) threads.emplace_back(work);
+  for (int i = 0; i < std::min(2 * n_threads - 1, n_cases); ++i) threads.emplace_back(work);
   while (n_done.load() < n_cases) {
     if (interruption.signal() != 0 && stop.request_stop()) {
       display.write_note("stopping at the next step; once more ends at once");

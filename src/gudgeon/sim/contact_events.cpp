@@ -19,9 +19,8 @@ constexpr int kParts = 8;
 constexpr double kPartsPerRegion = 2.0;
 // A cubic through the ends of a step may miss the true gap by this share of how far the gap could move in it.
 constexpr double kMargin = 0.1;
-// Shares are found to so many bits: 1e-9 of a step is far below what dense output is off by, and who lands on a change
-// goes on from there by the step itself.
-constexpr int kShareBits = 30;
+// Shares of a step are found to so many bits: where surfaces graze, what is lost here is magnified.
+constexpr int kShareBits = 45;
 
 // Whether the cubic with these values and slopes (per unit of share) at both ends comes above -margin in between.
 bool may_rise_above(double value_a, double slope_a, double value_b, double slope_b, double margin) {
