@@ -74,17 +74,21 @@ class RandomSaddlePoint : public testing::TestWithParam<unsigned> {
 TEST_P(RandomSaddlePoint, SolvesAsDenseDoes) {
   VectorXd right = VectorXd::Random(elimination.size());
   const VectorXd expected = problem.matrix.fullPivLu().solve(right);
-  elimination.factor(values.data(), inverse_pivots.data());
-  for (int again = 0; again < 2; ++again) {  // factors serve any number of right-hand sides
+  for (const bool again : {false, true, true}) {  // factors serve any number of right-hand sides
     VectorXd x = right;
-    elimination.solve(values.data(), inverse_pivots.data(), x.data());
+    if (again) {
+      elimination.solve(values.data(), inverse_pivots.data(), x.data());
+    } else {
+      elimination.factor_and_solve(values.data(), inverse_pivots.data(), x.data());
+    }
     // Condition numbers here are below 1e3.
     EXPECT_LT((x - expected).lpNorm<Eigen::Infinity>(), 1e-12 * (1.0 + expected.lpNorm<Eigen::Infinity>()));
   }
 }
 
 TEST_P(RandomSaddlePoint, PivotsOfRowsAreNegative) {
-  elimination.factor(values.data(), inverse_pivots.data());
+  std::vector<double> x(inverse_pivots.size());
+  elimination.factor_and_solve(values.data(), inverse_pivots.data(), x.data());
   EXPECT_EQ(std::ranges::count_if(inverse_pivots, [](double p) { return p < 0.0; }), n_constraints);
   EXPECT_EQ(std::ranges::count_if(inverse_pivots, [](double p) { return p > 0.0; }), n_coordinates);
 }
@@ -142,7 +146,8 @@ TEST(Elimination, TellsASingularMatrix) {
   values[elimination.find_slot(0, 0)] = 2.0;
   values[elimination.find_slot(1, 0)] = values[elimination.find_slot(2, 0)] = 1.0;
   std::vector<double> inverse_pivots(3);
-  elimination.factor(values.data(), inverse_pivots.data());
+  std::vector<double> x(inverse_pivots.size());
+  elimination.factor_and_solve(values.data(), inverse_pivots.data(), x.data());
   EXPECT_TRUE(std::ranges::any_of(inverse_pivots, [](double p) { return !std::isfinite(p); }));
 }
 

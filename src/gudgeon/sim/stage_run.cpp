@@ -27,6 +27,7 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
       end_((study.warm_up_cycles + study.cycles) * cycle_time),
       sample_step_(cycle_time / study.outputs_per_cycle),
       interpolated_(motion_.y().size()) {
+  step_.reserve(static_cast<std::size_t>(motion_.n_stages()));
   record_.name = std::move(name);
   record_.cycle_time = cycle_time;
   record_.start_time = warm_up_end_;
@@ -106,13 +107,14 @@ void StageRun::deposit_wear() {
     const ContactGroup& group = system_.tables.contact_groups[g];
     bool touched = false;
     for (auto k = static_cast<std::size_t>(group.first_contact); k < static_cast<std::size_t>(group.end_contact); ++k) {
+      step_.clear();
       for (int stage = 0; stage < motion_.n_stages(); ++stage) {
-        const double weight = motion_.find_weight(stage) * h;
         const ContactSample& sample = motion_.find_sample(stage, k);
-        if (weight == 0.0 || sample.normal_force == 0.0) continue;
-        wear_[g].add(sample, weight);
-        touched = true;
+        if (sample.normal_force == 0.0) continue;
+        step_.push_back({&sample, motion_.find_weight(stage) * h, motion_.find_share(stage)});
       }
+      wear_[g].add(step_);
+      touched = touched || !step_.empty();
     }
     if (touched) wear_[g].add_contact_time(h);
   }

@@ -40,7 +40,8 @@ class StageRun {
   MotionIntegrator motion_;
   StageRecorder recorder_;
   ContactHistory history_;
-  std::vector<WearDeposit> wear_;  // one a clearance joint
+  std::vector<WearDeposit> wear_;         // one a clearance joint
+  std::vector<WearDeposit::Stage> step_;  // of one contact
   Workspace scratch_;
   StageRecord record_;
 

@@ -54,6 +54,8 @@ class Stepper {
 
   /// Weights [1] of the stages in an integral over the step.
   [[nodiscard]] virtual std::span<const double> weights() const = 0;
+  /// The same of a rule of at least second order whose weights are not negative.
+  [[nodiscard]] virtual std::span<const double> shares() const { return weights(); }
   /// What a contact was like at a stage of the step; without force where it was open.
   [[nodiscard]] const ContactSample& find_sample(int stage, std::size_t contact) const {
     return samples_[stage][contact];

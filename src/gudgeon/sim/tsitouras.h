@@ -27,6 +27,8 @@ class Tsitouras final : public DenseStep {
   static constexpr std::array<double, kStages> kNodes{0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0};
   static constexpr std::array<double, kStages> kWeights{
       0.09646076681806523, 0.01, 0.4798896504144996, 1.379008574103742, -3.290069515436081, 2.324710524099774, 0.0};
+  /// Weights of a rule of second order, and nearly of third, that are not negative: for what may nowhere become so.
+  static constexpr std::array<double, kStages> kShares{0.0, 0.0, 0.5 / 0.673, 0.0, 0.0, 0.0, 0.173 / 0.673};
 
   /// y is n_states components that its slope depends on, then n_integrals of what is only summed up.
   Tsitouras(std::size_t n_states, std::size_t n_integrals)

@@ -17,6 +17,13 @@ namespace {
 
 // Depth at the middle of an arc over its mean depth.
 constexpr double kParabolaPeak = 1.5;
+// [m] A law may press before its surfaces touch: its arc is then that of a hundredth of an atom.
+constexpr double kLeastPenetration = 1e-12;
+
+// How fast a contact wears at one instant of a step against another [W].
+double find_intensity(const ContactSample& sample) noexcept {
+  return sample.normal_force * std::abs(sample.slip_speed);
+}
 
 double find_wear_rate(const AnyWear& any, const WearContact& contact) noexcept {
   return std::visit([&](const auto& law) { return law(contact); }, any);
@@ -67,25 +74,61 @@ WearDeposit::WearDeposit(std::span<const Contact> contacts, Deposition depositio
   total_ = bearing_;
 }
 
-void WearDeposit::add(const ContactSample& sample, double weight) noexcept {
-  if (!(sample.normal_force > 0.0)) return;
+void WearDeposit::add(std::span<const Stage> stages) noexcept {
+  Amounts worn;
+  double whole = 0.0;
+  const ContactSample* last = nullptr;
+  for (const Stage& stage : stages) {
+    if (!(stage.sample->normal_force > 0.0)) continue;
+    if (stage.weight != 0.0) {
+      const Amounts here = wear_off(*stage.sample, stage.weight);
+      worn.bearing += here.bearing;
+      worn.journal += here.journal;
+    }
+    whole += stage.share * find_intensity(*stage.sample);
+    last = stage.sample;
+  }
+  if (last == nullptr) return;
+  volume_ += (worn.bearing + worn.journal) * contacts_.front().width;
+  if (!(whole > 0.0)) {
+    lay_down(*last, worn);
+    return;
+  }
+  for (const Stage& stage : stages) {
+    const double part = stage.share * find_intensity(*stage.sample) / whole;
+    if (part > 0.0) lay_down(*stage.sample, {part * worn.bearing, part * worn.journal});
+  }
+}
+
+double WearDeposit::find_length(const ContactSample& sample) const noexcept {
+  const double penetration = std::max(sample.penetration, kLeastPenetration);
+  return slot_length_ > 0.0 ? find_flat_contact_length(penetration, sample.journal_radius)
+                            : find_contact_arc(penetration, sample.bearing_radius, sample.journal_radius).length;
+}
+
+// What one stage brings to the integrals over the step.
+WearDeposit::Amounts WearDeposit::wear_off(const ContactSample& sample, double weight) noexcept {
   const Contact& contact = contacts_.front();  // its laws and width are those of all
   const double speed = std::abs(sample.slip_speed);
-  const double length = slot_length_ > 0.0
-                            ? find_flat_contact_length(sample.penetration, sample.journal_radius)
-                            : find_contact_arc(sample.penetration, sample.bearing_radius, sample.journal_radius).length;
+  const double length = find_length(sample);
   const double pressure = sample.normal_force / (contact.width * length);
   // Half-way through this part of the step: the sum over the parts is then a midpoint rule in the distance.
   const double distance = sliding_distance_ + 0.5 * weight * speed;
   WearContact wear{pressure, speed, std::abs(sample.friction_force) / sample.normal_force, sample.bearing_depth,
                    contact.sliding_distance + magnification_ * distance};
-  const double bearing_depth = weight * find_wear_rate(contact.bearing_wear, wear);
+  Amounts worn;
+  worn.bearing = weight * find_wear_rate(contact.bearing_wear, wear) * length;
   wear.depth = sample.journal_depth;
-  const double journal_depth = weight * find_wear_rate(contact.journal_wear, wear);
+  worn.journal = weight * find_wear_rate(contact.journal_wear, wear) * length;
   sliding_distance_ += weight * speed;
   impulse_ += weight * sample.normal_force;
-  volume_ += (bearing_depth + journal_depth) * length * contact.width;
+  return worn;
+}
 
+void WearDeposit::lay_down(const ContactSample& sample, const Amounts& amounts) noexcept {
+  const double length = find_length(sample);
+  const double bearing_depth = amounts.bearing / length;
+  const double journal_depth = amounts.journal / length;
   // As angles of the unworn radii, so that depth times circumference is the volume removed.
   const double direction = std::atan2(sample.normal.y, sample.normal.x);
   const double bearing_width = length / bearing_radius_;

@@ -26,9 +26,17 @@ class WearDeposit {
   /// sliding distance so.
   WearDeposit(std::span<const Contact> contacts, Deposition deposition, int n_regions, double magnification = 1.0);
 
-  /// One stage of an accepted step, weight [s] being its share of the step's length. Negative weights are part of the
-  /// integrator's rule.
-  void add(const ContactSample& sample, double weight) noexcept;
+  /// One contact at one stage of an accepted step.
+  struct Stage {
+    const ContactSample* sample;
+    double weight;  ///< [s] in integrals over the step; may be negative
+    double share;   ///< [1] by which the step's wear is laid down here rather than at its other stages; never negative
+  };
+  /// One contact over an accepted step. How much it wears is integrated over all stages, where it is laid down is told
+  /// by those with a share: so the amount is as accurate as the motion, and no place gets less than nothing.
+  void add(std::span<const Stage> stages) noexcept;
+  /// The same of a step seen at one stage.
+  void add(const ContactSample& sample, double weight) noexcept { add({{Stage{&sample, weight, 1.0}}}); }
   /// Time spent in contact.
   void add_contact_time(double time) noexcept { contact_time_ += time; }
 
@@ -36,6 +44,14 @@ class WearDeposit {
   [[nodiscard]] JointWear summarize(const std::string& joint) const;
 
  private:
+  // Depth times length of arc [m^2].
+  struct Amounts {
+    double bearing = 0.0;
+    double journal = 0.0;
+  };
+  [[nodiscard]] double find_length(const ContactSample& sample) const noexcept;
+  Amounts wear_off(const ContactSample& sample, double weight) noexcept;
+  void lay_down(const ContactSample& sample, const Amounts& amounts) noexcept;
   struct Layer {
     ArcAccumulator* surface;
     double mean_depth;  // [m] over the arc

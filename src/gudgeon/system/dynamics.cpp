@@ -90,8 +90,8 @@ void eval_dynamics(const Tables& tables, double t, const double* q, const double
                    std::span<const ContactLatch> latches, Feedback feedback, Workspace& workspace) noexcept {
   update_coordinates(tables, t, q, v, workspace.coordinates);
   assemble_equations(tables, t, latches, feedback, workspace);
-  tables.elimination.factor(workspace.values.data(), workspace.inverse_pivots.data());
-  tables.elimination.solve(workspace.values.data(), workspace.inverse_pivots.data(), workspace.equations.data());
+  tables.elimination.factor_and_solve(workspace.values.data(), workspace.inverse_pivots.data(),
+                                      workspace.equations.data());
   if (find_singular_closeness(tables, workspace) > kRefinedCloseness) {
     refine(tables, t, latches, feedback, workspace);
   }

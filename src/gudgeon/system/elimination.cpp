@@ -101,25 +101,32 @@ int Elimination::find_slot(int row, int column) const {
   return -1;
 }
 
-void Elimination::factor(double* values, double* inverse_pivots) const noexcept {
-  const std::int32_t* target = targets_.data();
-  for (int k = 0; k < n_; ++k) {
-    const double inverse = 1.0 / values[k];
-    inverse_pivots[k] = inverse;
-    const int end = begin_[k + 1];
-    for (int a = begin_[k]; a < end; ++a) {
-      const double factor = values[a] * inverse;
-      for (int b = a; b < end; ++b) values[*target++] -= factor * values[b];
-      values[a] = factor;
-    }
-  }
-}
-
 void Elimination::solve(const double* values, const double* inverse_pivots, double* x) const noexcept {
   for (int k = 0; k < n_; ++k) {
     const double pivot_value = x[order_[k]];
     for (int a = begin_[k]; a < begin_[k + 1]; ++a) x[rows_[a - n_]] -= values[a] * pivot_value;
   }
+  substitute_back(values, inverse_pivots, x);
+}
+
+void Elimination::factor_and_solve(double* values, double* inverse_pivots, double* x) const noexcept {
+  const std::int32_t* target = targets_.data();
+  for (int k = 0; k < n_; ++k) {
+    const double inverse = 1.0 / values[k];
+    inverse_pivots[k] = inverse;
+    const double pivot_value = x[order_[k]];
+    const int end = begin_[k + 1];
+    for (int a = begin_[k]; a < end; ++a) {
+      const double factor = values[a] * inverse;
+      x[rows_[a - n_]] -= factor * pivot_value;
+      for (int b = a; b < end; ++b) values[*target++] -= factor * values[b];
+      values[a] = factor;
+    }
+  }
+  substitute_back(values, inverse_pivots, x);
+}
+
+void Elimination::substitute_back(const double* values, const double* inverse_pivots, double* x) const noexcept {
   for (int k = n_ - 1; k >= 0; --k) {
     double sum = x[order_[k]] * inverse_pivots[k];
     for (int a = begin_[k]; a < begin_[k + 1]; ++a) sum -= values[a] * x[rows_[a - n_]];

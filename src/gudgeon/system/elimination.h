@@ -29,14 +29,17 @@ class Elimination {
   /// Where an entry of the pattern, or of the diagonal, is stored; -1 outside the pattern.
   [[nodiscard]] int find_slot(int row, int column) const;
 
-  /// Replaces the matrix values by their factors. inverse_pivots has size() entries.
-  void factor(double* values, double* inverse_pivots) const noexcept;
-  /// Replaces the right-hand side by the solution.
+  /// Replaces the matrix values by their factors and the right-hand side by the solution. inverse_pivots and x have
+  /// size() entries.
+  void factor_and_solve(double* values, double* inverse_pivots, double* x) const noexcept;
+  /// The same for another right-hand side, with the factors that are there.
   void solve(const double* values, const double* inverse_pivots, double* x) const noexcept;
   /// y −= A x for matrix values that are not factored.
   void subtract_product(const double* values, const double* x, double* y) const noexcept;
 
  private:
+  void substitute_back(const double* values, const double* inverse_pivots, double* x) const noexcept;
+
   int n_ = 0;
   std::size_t n_values_ = 0;
   std::vector<std::int32_t> order_;     // index eliminated k-th
