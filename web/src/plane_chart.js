@@ -5,10 +5,10 @@
 // Shift and drag pans, a double click shows all.
 import { findExtent, groupOf, readCurves, widen } from './curves.js';
 import { make, prepareCanvas } from './elements.js';
-import { findTicks, printAxis, printTick } from './number_text.js';
-import { curveColor, styleColor } from './palette.js';
+import { findLabelRoom, findTicks, printAxis, printTick } from './number_text.js';
+import { curveColor, findDashes, styleColor } from './palette.js';
 
-const kMargin = { left: 58, right: 14, top: 12, bottom: 46 };
+const kMargin = { left: 58, right: 14, top: 12, bottom: 46 }; // [px]; left at least
 const kPhaseHeight = 320;
 
 export class PlaneChart {
@@ -41,8 +41,11 @@ export class PlaneChart {
 
   /** The area of the plot and the ranges on it; a plane has one scale. */
   #layOut() {
-    const area = { x: kMargin.left, y: kMargin.top, w: this.width - kMargin.left - kMargin.right, h: this.height - kMargin.top - kMargin.bottom };
     let { x, y } = this.view;
+    const h = this.height - kMargin.top - kMargin.bottom;
+    const ticks = findTicks(y[0], y[1], Math.max(2, Math.floor(h / 45)), this.figure.y.display);
+    const left = findLabelRoom(ticks.places.map((place) => printTick(place, ticks.decimals)));
+    const area = { x: left, y: kMargin.top, w: this.width - left - kMargin.right, h };
     if (this.figure.kind === 'plane') {
       const scale = Math.max((x[1] - x[0]) / area.w, (y[1] - y[0]) / area.h);
       const fit = ([begin, end], pixels) => [(begin + end - scale * pixels) / 2, (begin + end + scale * pixels) / 2];
@@ -104,7 +107,7 @@ export class PlaneChart {
     context.strokeStyle = context.fillStyle = curveColor(curve.color);
     context.lineWidth = this.figure.kind === 'phase' ? 1 : 1.4;
     context.globalAlpha = this.figure.kind === 'phase' && !curve.points ? 0.7 : 1;
-    context.setLineDash(curve.dashed ? [5, 5] : []);
+    context.setLineDash(findDashes(curve));
     context.beginPath();
     for (let k = 0; k < curve.xs.length; ++k) {
       const px = toX(curve.xs[k]);
