@@ -40,7 +40,7 @@ async function checkSlot(example, joint, tolerance) {
   gudgeon('export', `${name}/base.h5`, '-o', `${name}_csv`);
   const read = (channel) => readColumn(`${name}_csv`, 'no_wear_channels.csv', channel).map(Number);
   const [times, penetrations, counts] = [read('time'), read(`${joint}.penetration`), read(`${joint}.n_contacts`)];
-  const chosen = Array.from({ length: 25 }, (unused, k) => 400 + 16 * k);
+  const chosen = Array.from({ length: 25 }, (unused, k) => Math.floor((k * times.length) / 25));
   const drawn = await drawAt(page, chosen.map((k) => times[k]));
   drawn.forEach((layout, i) => {
     const least = Math.min(...findGaps(layout));
