@@ -18,6 +18,10 @@ const kKeys = {
   a: (chart) => chart.showAll(),
   ArrowLeft: (chart) => chart.panBy(-0.2),
   ArrowRight: (chart) => chart.panBy(0.2),
+  ',': (chart) => chart.readBy(-1),
+  '.': (chart) => chart.readBy(1),
+  '<': (chart) => chart.readBy(-20),
+  '>': (chart) => chart.readBy(20),
 };
 
 /** The line or dot of a curve, as the legend shows it. */
@@ -44,8 +48,8 @@ export class FigureCard {
     this.name = [caseName, figure.id].filter(Boolean).join('.');
     this.view = makeView(figure);
     this.place = make('div', {
-      class: `chart ${figure.kind}`, tabindex: 0, role: 'img',
-      'aria-label': `${figure.title}. ${printAxis(figure.y)} over ${printAxis(figure.x)}. Keys: plus and minus zoom, arrows pan, 0 resets.`,
+      class: `chart ${figure.kind}`, tabindex: 0, role: 'application', 'aria-roledescription': 'figure',
+      'aria-label': `${figure.title}. ${printAxis(figure.y)} over ${printAxis(figure.x)}. Keys: plus and minus zoom, arrows pan, comma and full stop read values, 0 resets.`,
     });
     this.readout = make('output', { class: 'readout' }, '\u00a0');
     this.legend = make('div', { class: 'legend', role: 'group', 'aria-label': 'Curves' }, ...this.#makeLegend());

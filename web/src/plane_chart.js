@@ -20,11 +20,12 @@ export class PlaneChart {
     this.selection = make('div', { class: 'selection', hidden: true });
     this.dots = make('div', { class: 'dots', 'aria-hidden': 'true' });
     place.append(this.canvas, this.selection, this.dots);
+    this.onHover = onHover;
     this.all = this.#findAll();
     view.x ??= this.all.x;
     view.y ??= this.all.y;
     this.resize(place.clientWidth);
-    this.#listen(onHover);
+    this.#listen();
   }
 
   #findAll() {
@@ -61,6 +62,7 @@ export class PlaneChart {
   }
 
   redraw() {
+    this.mark?.remove();
     const context = prepareCanvas(this.canvas, this.width, this.height);
     const layout = this.#layOut();
     this.#drawAxes(context, layout);
@@ -125,8 +127,8 @@ export class PlaneChart {
     context.setLineDash([]);
   }
 
-  #listen(onHover) {
-    const canvas = this.canvas;
+  #listen() {
+    const { canvas, onHover } = this;
     canvas.addEventListener('mousemove', (event) => onHover(this.#findNearest(event.offsetX, event.offsetY)));
     canvas.addEventListener('mouseleave', () => onHover(null));
     canvas.addEventListener('dblclick', () => this.showAll());
@@ -190,6 +192,20 @@ export class PlaneChart {
       }
     }
     return best && { x: best.x, values: [{ curve: best.curve, y: best.y }] };
+  }
+
+  /** Reads the next points of the first curve that is shown, round and round. */
+  readBy(n) {
+    const curve = this.curves.find((one) => this.view.shown.has(groupOf(one)) && one.group) ?? this.curves[0];
+    const count = curve.xs.length;
+    this.readAt = ((((this.readAt ?? -n) + n) % count) + count) % count;
+    const at = { x: curve.xs[this.readAt], y: curve.ys[this.readAt] };
+    this.onHover({ x: at.x, values: [{ curve, y: at.y }] });
+    const { toX, toY } = this.layout;
+    this.mark?.remove();
+    this.mark = make('div', { class: 'dot reading' });
+    this.mark.style.transform = `translate(${toX(at.x)}px, ${toY(at.y)}px)`;
+    this.selection.after(this.mark);
   }
 
   zoomBy(factor) {

@@ -149,6 +149,17 @@ export class SignalChart {
     this.zoomTo([begin + shift, end + shift]);
   }
 
+  /** Moves the cursor by samples, from the first one that is seen. */
+  readBy(n) {
+    const [xs] = this.data;
+    const [begin, end] = this.view.x;
+    const at = xs[this.plot.cursor.idx ?? -1];
+    const first = xs.findIndex((x) => x >= begin);
+    const k = at >= begin && at <= end && this.plot.cursor.left >= 0 ? this.plot.cursor.idx + n : first;
+    if (!(xs[k] >= begin && xs[k] <= end)) return;
+    this.plot.setCursor({ left: this.plot.valToPos(xs[k], 'x'), top: this.plot.over.clientHeight / 2 });
+  }
+
   showAll() { this.zoomTo(this.all); }
   reset() { this.zoomTo(findFirstRange(this.figure) ?? this.all); }
 

@@ -59,6 +59,9 @@ test('the mechanism plays, pauses, steps and is scrubbed', async () => {
   await panel.focus();
   await page.keyboard.press('ArrowRight');
   assert.ok(Math.abs((await findTime()) - first - 0.002) < 1e-9, 'a key steps one of 500 samples a cycle of 1 s');
+  const picture = await readDownload(page, panel.locator('button', { hasText: 'PNG' }));
+  assert.match(picture.name, /^base\.no_wear\..*_s\.png$/);
+  assert.equal(picture.bytes.subarray(1, 4).toString(), 'PNG');
   await panel.locator('input[type=range]').fill('0');
   assert.equal(await findTime(), await page.evaluate(() => document.querySelector('.mechanism').panel.motion.begin));
   await page.keyboard.press('End');
@@ -154,6 +157,12 @@ test('data, pictures and readout of a figure come out', async () => {
   const stored = readColumn('csv', 'wear_1_channels.csv', 'slider_9.x_acceleration').map(Number);
   assertSame(table.column('first wear'), stored, 'acceleration');
   assertSame(table.column('Time'), readColumn('csv', 'wear_1_channels.csv', 'time').map(Number), 'time');
+  await figure.locator('.chart').focus();
+  await page.keyboard.press('.');
+  const readout = () => figure.locator('.readout').textContent();
+  const read = await waitUntil(page, readout, (text) => /s: ideal/.test(text), 'a key reads values');
+  await page.keyboard.press('.');
+  await waitUntil(page, readout, (text) => /s: ideal/.test(text) && text !== read, 'the next key reads the next ones');
   const svg = await readDownload(page, figure.locator('button', { hasText: 'SVG' }));
   const seen = await page.evaluate((text) => {
     const parsed = new DOMParser().parseFromString(text, 'image/svg+xml');
@@ -220,6 +229,26 @@ test('the page answers in 100 ms', async () => {
   });
   assert.ok(times.figures > 5);
   assert.ok(times.scrub < 100 && times.redraw < 100, JSON.stringify(times));
+});
+
+test('every control has a name, every figure its keys', async () => {
+  const nameless = await page.evaluate(() => [...document.querySelectorAll('button, select, input, canvas[role], .chart')]
+    .filter((one) => !(one.getAttribute('aria-label') || one.textContent.trim() || one.closest('label')?.textContent.trim()))
+    .map((one) => one.outerHTML.slice(0, 80)));
+  assert.deepEqual(nameless, []);
+  const deaf = await page.evaluate(() => [...document.querySelectorAll('.figure')].filter((one) => {
+    const texts = [...one.querySelectorAll('.buttons button')].map((button) => button.textContent);
+    return !['CSV', 'SVG', 'PNG', 'All', 'Reset'].every((text) => texts.includes(text)) || one.querySelector('.chart').tabIndex !== 0;
+  }).map((one) => one.id));
+  assert.deepEqual(deaf, []);
+});
+
+test('the links at the top stand in one line', async () => {
+  const nav = await page.evaluate(() => {
+    const one = document.getElementById('sections');
+    return { over: one.scrollWidth - one.clientWidth, rows: new Set([...one.children].map((link) => link.offsetTop)).size, links: one.children.length };
+  });
+  assert.deepEqual(nav, { over: 0, rows: 1, links: 12 });
 });
 
 test('it is dark or light as the reader wants, and fits a phone', async () => {
