@@ -109,7 +109,7 @@ TEST(CaseFigures, ComparisonHasACurveACase) {
   RunRecord second = make_worn_run();
   second.case_name = "wide";
   const std::vector<CaseComparison> comparisons{
-      {"clearance", "over clearance", {{"0.3 mm", &first}, {"0.8 mm", &second}}}};
+      {"clearance", "over clearance", {}, {{.label = "0.3 mm", .run = &first}, {.label = "0.8 mm", .run = &second}}}};
   const std::vector<Figure> figures = make_comparison_figures(comparisons);
   ASSERT_FALSE(figures.empty());
   EXPECT_EQ(figures[0].id, "A.wear_depth_over_clearance");
@@ -210,13 +210,39 @@ TEST(CaseFigures, PathInASlotRunsBetweenItsWalls) {
 
 TEST(CaseFigures, ComparisonOfManyCasesTakesSomeAtEqualSteps) {
   const RunRecord run = make_worn_run();
-  CaseComparison comparison{"clearance", "over clearance", {}};
-  for (int k = 0; k < 40; ++k) comparison.cases.push_back({std::to_string(k), &run});
+  CaseComparison comparison{"clearance", "over clearance", {}, {}};
+  for (int k = 0; k < 40; ++k) comparison.cases.push_back({.label = std::to_string(k), .run = &run});
   const std::vector<Figure> figures = make_comparison_figures(std::vector{comparison});
-  ASSERT_EQ(figures[0].curves.size(), 12U);
+  ASSERT_EQ(figures[0].curves.size(), 7U);
   EXPECT_THAT(figures[0].curves.front().name, ::testing::StartsWith("0:"));
   EXPECT_THAT(figures[0].curves.back().name, ::testing::StartsWith("39:"));
-  EXPECT_THAT(figures[0].caption, HasSubstr("12 of 40 cases"));
+  EXPECT_THAT(figures[0].caption, HasSubstr("7 of 40 cases"));
+}
+
+TEST(CaseFigures, TrendsRunOverTheValuesThatCasesDifferIn) {
+  const RunRecord small = make_worn_run();
+  RunRecord large = make_worn_run();
+  large.stages.back().wear[0].bearing_depth_added.assign(test::kRegions, 0.0);
+  large.stages.back().wear[0].total_depth_added.assign(test::kRegions, 3e-6);
+  ChannelStatistics& force =
+      *std::ranges::find(large.stages.back().statistics, "A.normal_force", &ChannelStatistics::channel);
+  force.maximum = 4321.0;
+  const CaseComparison comparison{"clearance",
+                                  "over clearance",
+                                  {"Clearance", "m", "m", 1.0},
+                                  {{"0.3 mm", 0.3e-3, &small}, {"0.8 mm", 0.8e-3, &large}}};
+  const std::vector<Figure> figures = make_trend_figures(comparison);
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].id, "deepest_wear_over_clearance");
+  EXPECT_EQ(figures[0].curves[0].name, "A");
+  EXPECT_THAT(*figures[0].curves[0].x, ::testing::ElementsAre(0.3e-3, 0.8e-3));
+  const std::vector<double>& before = large.stages[1].wear[0].total_depth_added;
+  EXPECT_NEAR(figures[0].curves[0].y->back(), *std::ranges::max_element(before) + 3e-6, 1e-15);
+  EXPECT_EQ(figures[1].id, "largest_force_over_clearance");
+  EXPECT_EQ(figures[1].curves[0].y->back(), 4321.0);
+  CaseComparison named = comparison;
+  for (ComparedCase& one : named.cases) one.value = std::nan("");
+  EXPECT_THAT(make_trend_figures(named), IsEmpty());
 }
 
 TEST(SignalDetail, FitsTheBytesItMayTake) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "gudgeon/report/figures/case_figures.h"
 #include "gudgeon/report/figures/wear_curves.h"
@@ -15,24 +16,14 @@ namespace gudgeon {
 
 namespace {
 
-std::vector<std::string> find_compared_joints(const CaseComparison& comparison) {
-  std::vector<std::string> joints;
-  for (const ComparedCase& one : comparison.cases) {
-    for (const std::string& joint : find_clearance_joints(*one.run)) {
-      if (std::ranges::find(joints, joint) == joints.end()) joints.push_back(joint);
-    }
-  }
-  return joints;
-}
-
-/// More curves cannot be told apart.
-constexpr std::size_t kMostCompared = 12;
+/// As many as there are colours.
+constexpr std::size_t kMostCompared = 7;
 
 /// The comparison itself, or cases at equal steps of it from the first to the last.
 CaseComparison select_cases(const CaseComparison& comparison) {
   const std::size_t n = comparison.cases.size();
   if (n <= kMostCompared) return comparison;
-  CaseComparison selected{comparison.id, comparison.title, {}};
+  CaseComparison selected{comparison.id, comparison.title, comparison.axis, {}};
   for (std::size_t k = 0; k < kMostCompared; ++k) {
     selected.cases.push_back(comparison.cases[k * (n - 1) / (kMostCompared - 1)]);
   }
@@ -78,6 +69,7 @@ std::vector<Figure> make_comparison_figures(std::span<const CaseComparison> comp
       add(make_depth_figure(surfaces), "wear_depth", fmt::format("Wear depth in {} {}", joint, comparison.title));
       add(make_outline_figure(surfaces), "surfaces", fmt::format("Rebuilt surfaces of {} {}", joint, comparison.title));
     }
+    std::ranges::move(make_trend_figures(whole), std::back_inserter(figures));
   }
   return figures;
 }
