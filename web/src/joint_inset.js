@@ -10,6 +10,7 @@ import { curveColor, styleColor } from './palette.js';
 import { drawSlot } from './slot_inset.js';
 
 const kSize = 210; // [px] it is laid out on; drawn smaller where there is less room
+const kSlotHeight = 140; // [px]
 const kRadius = 74; // [px] of the bearing
 const kGap = 17; // [px] that the clearance is drawn as
 
@@ -49,13 +50,14 @@ export class JointInset {
     const state = motion.findJoint(this.joint, time);
     const poses = motion.findPoses(time);
     const size = Math.min(kSize, this.element.clientWidth || kSize);
-    const context = prepareCanvas(this.canvas, size, size);
-    context.scale(size / kSize, size / kSize);
-    context.translate(kSize / 2, kSize / 2);
-    this.title.textContent = this.choice.hidden ? `Joint ${joint.name}` : 'Joint ';
     const isRound = joint.kind === 'revolute_clearance';
+    const height = isRound ? kSize : kSlotHeight;
+    const context = prepareCanvas(this.canvas, size, (size * height) / kSize);
+    context.scale(size / kSize, size / kSize);
+    context.translate(kSize / 2, height / 2);
+    this.title.textContent = this.choice.hidden ? `Joint ${joint.name}` : 'Joint ';
     if (isRound) this.#drawRound(context, joint, state, poses);
-    else this.layout = drawSlot(context, joint, state, poses, this.greatest);
+    this.layout = isRound ? null : drawSlot(context, joint, state, poses, this.greatest);
     if (!isRound) this.factor = this.layout.factor;
     this.#tell(joint, state, (isRound ? state.x : state.height) === undefined);
   }
@@ -63,8 +65,10 @@ export class JointInset {
   /** What is drawn, in words. */
   #tell(joint, state, isIdeal) {
     const force = printQuantity(Math.hypot(state.fx, state.fy), 'N');
-    const where = isIdeal ? `joint force ${force}` : state.normal > 0 ? `contact, ${force}` : 'free flight';
-    const scale = isIdeal ? '\u00a0' : `clearance × ${printFactor(this.factor)}, arrow ∝ √F, longest ${printQuantity(this.greatest, 'N')}`;
+    const places = this.layout?.touching.length > 1 ? ` in ${this.layout.touching.length} places` : '';
+    const where = isIdeal ? `joint force ${force}` : state.normal > 0 ? `contact${places}, ${force}` : 'free flight';
+    const what = this.layout?.isBlock ? 'clearance and tilt' : 'clearance';
+    const scale = isIdeal ? '\u00a0' : `${what} × ${printFactor(this.factor)}, arrow ∝ √F, longest ${printQuantity(this.greatest, 'N')}`;
     this.text.replaceChildren(where, make('br'), scale);
     this.canvas.setAttribute('aria-label', `Joint ${joint.name}, magnified: ${where}`);
   }
