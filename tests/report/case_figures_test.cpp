@@ -9,10 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <string>
 
 #include "gudgeon/report/figures/comparison_figures.h"
-#include "gudgeon/report/html/full_cycles.h"
+#include "gudgeon/report/html/signal_detail.h"
 #include "gudgeon/report/plot/drawn_curves.h"
 #include "gudgeon/report/plot/plot_figure.h"
 #include "tests/results/synthetic_run.h"
@@ -107,7 +109,7 @@ TEST(CaseFigures, ComparisonHasACurveACase) {
   RunRecord second = make_worn_run();
   second.case_name = "wide";
   const std::vector<CaseComparison> comparisons{
-      {"clearance", "over clearance", {{"0.3 mm", &first}, {"0.8 mm", &second}}}};
+      {"clearance", "over clearance", {}, {{.label = "0.3 mm", .run = &first}, {.label = "0.8 mm", .run = &second}}}};
   const std::vector<Figure> figures = make_comparison_figures(comparisons);
   ASSERT_FALSE(figures.empty());
   EXPECT_EQ(figures[0].id, "A.wear_depth_over_clearance");
@@ -136,14 +138,122 @@ TEST(PlotFigure, ThinningKeepsPeaksAndShape) {
   EXPECT_TRUE(std::ranges::is_sorted(kept, {}, &Vec2::x));
 }
 
-TEST(FullCycles, FitTheBytesTheyMayTake) {
+/// The made-up run with a joint whose journal is a block of four corners in a slot, or a pin.
+RunRecord make_slot_run(std::size_t n_corners) {
+  RunRecord run = test::make_run();
+  for (StageRecord& stage : run.stages) {
+    for (JointWear& wear : stage.wear) {
+      wear.bearing_radius = std::numeric_limits<double>::infinity();
+      wear.slot_length = 0.18;
+      wear.bearing_depth.assign(2 * test::kRegions, 0.0);
+      wear.journal_depth.assign(n_corners * test::kRegions, 0.0);
+      wear.total_depth_added = wear.bearing_depth_added = wear.bearing_depth;
+      wear.journal_depth_added = wear.journal_depth;
+      for (const char* part : {".displacement", ".height"}) {
+        stage.channels.push_back({wear.joint + part, "", "m", "of a block"});
+        stage.values.emplace_back(stage.time.size(), 1e-4);
+      }
+    }
+  }
+  for (std::size_t side = 0; side < 2; ++side)
+    run.stages[1].wear[0].total_depth_added[side * test::kRegions + 7] = 1e-6;
+  JointWear& last = run.stages[2].wear[0];
+  for (std::size_t c = 0; c < n_corners; ++c) last.journal_depth[c * test::kRegions + 11 * c] = 1e-6;
+  for (std::size_t side = 0; side < 2; ++side) last.bearing_depth[side * test::kRegions + 7] = 1e-6;
+  return run;
+}
+
+/// Colour, line, name and group of each curve, which all differ.
+void expect_all_differ(const Figure& figure) {
+  for (std::size_t k = 0; k < figure.curves.size(); ++k) {
+    for (std::size_t i = 0; i < k; ++i) {
+      EXPECT_NE(figure.curves[i].color, figure.curves[k].color) << figure.id;
+      EXPECT_NE(figure.curves[i].name, figure.curves[k].name) << figure.id;
+      EXPECT_NE(figure.curves[i].group, figure.curves[k].group) << figure.id;
+    }
+  }
+}
+
+TEST(CaseFigures, SidesAndCornersOfASlotAreToldApart) {
+  const RunRecord run = make_slot_run(4);
+  const Figure depth = find_figure(run, "A.wear_depth");
+  ASSERT_EQ(depth.curves.size(), 2U);
+  EXPECT_EQ(depth.curves[0].name, "first wear, left side");
+  EXPECT_EQ(depth.curves[1].name, "first wear, right side");
+  expect_all_differ(depth);
+  Figure corners = find_figure(run, "A.journal_surface");
+  ASSERT_EQ(corners.curves.size(), 5U);
+  EXPECT_EQ(corners.curves[2].name, "first wear, right rear corner");
+  expect_all_differ(corners);
+  EXPECT_NE(corners.curves[1].line, corners.curves[2].line);
+  // All four scars, 0 to 33 regions of 3.6 degrees along the circumference, are within the enlarged part.
+  const std::string svg = plot_figure(corners, {});
+  for (const char* corner : {"left rear", "left front", "right rear", "right front"})
+    EXPECT_THAT(svg, HasSubstr(corner));
+  for (const FigureCurve& curve : corners.curves) {
+    if (curve.group.empty()) continue;
+    const auto deepest = std::ranges::min_element(*curve.y) - curve.y->begin();
+    EXPECT_GT((*curve.x)[deepest], corners.x_begin);
+    EXPECT_LT((*curve.x)[deepest], corners.x_end);
+  }
+}
+
+TEST(CaseFigures, PathInASlotRunsBetweenItsWalls) {
+  const Figure figure = find_figure(make_slot_run(1), "A.orbit");
+  std::vector<double> walls;
+  for (const FigureCurve& curve : figure.curves) {
+    if (curve.group.empty()) walls.push_back(curve.y->front());
+  }
+  EXPECT_THAT(walls, ::testing::ElementsAre(0.5e-3, -0.5e-3));
+  EXPECT_EQ(figure.curves.front().x->front(), 1e-4);
+}
+
+TEST(CaseFigures, ComparisonOfManyCasesTakesSomeAtEqualSteps) {
   const RunRecord run = make_worn_run();
-  EXPECT_EQ(find_full_cycles(run, 100'000'000), kMostFullCycles);
-  const double few = find_full_cycles(run, 400'000);
-  const double fewer = find_full_cycles(run, 250'000);
+  CaseComparison comparison{"clearance", "over clearance", {}, {}};
+  for (int k = 0; k < 40; ++k) comparison.cases.push_back({.label = std::to_string(k), .run = &run});
+  const std::vector<Figure> figures = make_comparison_figures(std::vector{comparison});
+  ASSERT_EQ(figures[0].curves.size(), 7U);
+  EXPECT_THAT(figures[0].curves.front().name, ::testing::StartsWith("0:"));
+  EXPECT_THAT(figures[0].curves.back().name, ::testing::StartsWith("39:"));
+  EXPECT_THAT(figures[0].caption, HasSubstr("7 of 40 cases"));
+}
+
+TEST(CaseFigures, TrendsRunOverTheValuesThatCasesDifferIn) {
+  const RunRecord small = make_worn_run();
+  RunRecord large = make_worn_run();
+  large.stages.back().wear[0].bearing_depth_added.assign(test::kRegions, 0.0);
+  large.stages.back().wear[0].total_depth_added.assign(test::kRegions, 3e-6);
+  ChannelStatistics& force =
+      *std::ranges::find(large.stages.back().statistics, "A.normal_force", &ChannelStatistics::channel);
+  force.maximum = 4321.0;
+  const CaseComparison comparison{"clearance",
+                                  "over clearance",
+                                  {"Clearance", "m", "m", 1.0},
+                                  {{"0.3 mm", 0.3e-3, &small}, {"0.8 mm", 0.8e-3, &large}}};
+  const std::vector<Figure> figures = make_trend_figures(comparison);
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].id, "deepest_wear_over_clearance");
+  EXPECT_EQ(figures[0].curves[0].name, "A");
+  EXPECT_THAT(*figures[0].curves[0].x, ::testing::ElementsAre(0.3e-3, 0.8e-3));
+  const std::vector<double>& before = large.stages[1].wear[0].total_depth_added;
+  EXPECT_NEAR(figures[0].curves[0].y->back(), *std::ranges::max_element(before) + 3e-6, 1e-15);
+  EXPECT_EQ(figures[1].id, "largest_force_over_clearance");
+  EXPECT_EQ(figures[1].curves[0].y->back(), 4321.0);
+  CaseComparison named = comparison;
+  for (ComparedCase& one : named.cases) one.value = std::nan("");
+  EXPECT_THAT(make_trend_figures(named), IsEmpty());
+}
+
+TEST(SignalDetail, FitsTheBytesItMayTake) {
+  const RunRecord run = make_worn_run();
+  EXPECT_EQ(find_signal_detail(run, 100'000'000).full_cycles, kMostFullCycles);
+  const double few = find_signal_detail(run, 400'000).full_cycles;
+  const double fewer = find_signal_detail(run, 250'000).full_cycles;
   EXPECT_LT(fewer, few);
   EXPECT_LT(few, kMostFullCycles);
-  EXPECT_GT(find_full_cycles(run, 0), 0.0);
+  EXPECT_GT(find_signal_detail(run, 0).full_cycles, 0.0);
+  EXPECT_LT(find_signal_detail(run, 0).n_spans, find_signal_detail(run, 400'000).n_spans);
 }
 
 TEST(StageLabels, ReadAsWords) {

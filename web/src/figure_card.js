@@ -7,7 +7,7 @@ import { make, saveFile } from './elements.js';
 import { makeCsv } from './figure_csv.js';
 import { makePng, makeSvg } from './figure_picture.js';
 import { printAxis, printQuantity } from './number_text.js';
-import { curveColor, onThemeChange } from './palette.js';
+import { curveColor, findDashes, onThemeChange } from './palette.js';
 import { PlaneChart } from './plane_chart.js';
 import { SignalChart } from './signal_chart.js';
 
@@ -18,7 +18,29 @@ const kKeys = {
   a: (chart) => chart.showAll(),
   ArrowLeft: (chart) => chart.panBy(-0.2),
   ArrowRight: (chart) => chart.panBy(0.2),
+  ',': (chart) => chart.readBy(-1),
+  '.': (chart) => chart.readBy(1),
+  '<': (chart) => chart.readBy(-20),
+  '>': (chart) => chart.readBy(20),
 };
+
+/** The line or dot of a curve, as the legend shows it. */
+function makeSwatch(curve) {
+  const swatch = make('span', { class: curve.points ? 'swatch dotted' : 'swatch' });
+  swatch.dataset.color = curve.color;
+  swatch.style.setProperty('--color', curveColor(curve.color));
+  if (curve.line && !curve.points) {
+    // The dashes of the line, as a gradient that repeats.
+    let at = 0;
+    const stops = findDashes(curve).map((length, k) => {
+      const from = at;
+      at += length;
+      return `${k % 2 ? 'transparent' : 'var(--color)'} ${from}px ${at}px`;
+    });
+    swatch.style.background = `repeating-linear-gradient(90deg, ${stops.join(', ')})`;
+  }
+  return swatch;
+}
 
 export class FigureCard {
   constructor(figure, caseName) {
@@ -26,8 +48,8 @@ export class FigureCard {
     this.name = [caseName, figure.id].filter(Boolean).join('.');
     this.view = makeView(figure);
     this.place = make('div', {
-      class: `chart ${figure.kind}`, tabindex: 0, role: 'img',
-      'aria-label': `${figure.title}. ${printAxis(figure.y)} over ${printAxis(figure.x)}. Keys: plus and minus zoom, arrows pan, 0 resets.`,
+      class: `chart ${figure.kind}`, tabindex: 0, role: 'application', 'aria-roledescription': 'figure',
+      'aria-label': `${figure.title}. ${printAxis(figure.y)} over ${printAxis(figure.x)}. Keys: plus and minus zoom, arrows pan, comma and full stop read values, 0 resets.`,
     });
     this.readout = make('output', { class: 'readout' }, '\u00a0');
     this.legend = make('div', { class: 'legend', role: 'group', 'aria-label': 'Curves' }, ...this.#makeLegend());
@@ -41,9 +63,7 @@ export class FigureCard {
 
   #makeLegend() {
     return findGroups(this.figure).map(({ key, name, curve }) => {
-      const swatch = make('span', { class: curve.points ? 'swatch dotted' : curve.group ? 'swatch' : 'swatch reference' });
-      swatch.dataset.color = curve.color;
-      swatch.style.setProperty('--color', curveColor(curve.color));
+      const swatch = makeSwatch(curve);
       const button = make('button', { type: 'button', 'data-group': key, 'aria-pressed': this.view.shown.has(key) }, swatch, name);
       button.setAttribute('aria-pressed', String(this.view.shown.has(key)));
       button.addEventListener('click', () => this.#toggle(key, button));

@@ -18,7 +18,7 @@ function print(value, single) {
 export function makeCsv(figure) {
   const columns = [];
   for (const curve of figure.curves) {
-    const name = curve.dashed && curve.group ? `${curve.name}, second surface` : curve.name;
+    const name = curve.line && figure.kind === 'plane' && curve.group ? `${curve.name}, second surface` : curve.name;
     if (!columns.some((column) => column.block === curve.x)) {
       columns.push({ block: curve.x, name: nameColumn(figure.x.label, figure.x.unit) });
     }

@@ -4,7 +4,7 @@
 // A figure as it is seen now, as SVG for print and as PNG.
 import { findGroups, groupOf, readCurves } from './curves.js';
 import { findTicks, printAxis, printTick } from './number_text.js';
-import { curveColor } from './palette.js';
+import { curveColor, findDashes } from './palette.js';
 
 const kWidth = 720;
 const kInk = '#1f2933';
@@ -17,6 +17,8 @@ function makeText(x, y, text, extra = '') {
   return `<text x="${round(x)}" y="${round(y)}" fill="${kInk}" ${extra}>${escape(text)}</text>`;
 }
 
+const makeDashes = (curve) => (curve.line ? ` stroke-dasharray="${findDashes(curve).join(' ')}"` : '');
+
 /** Legend entries in rows; returns their SVG and height. */
 function makeLegend(groups, top) {
   let x = 12;
@@ -28,7 +30,7 @@ function makeLegend(groups, top) {
     const color = curveColor(curve.color, false);
     svg += curve.points
       ? `<circle cx="${x + 11}" cy="${y + 10}" r="3" fill="${color}"/>`
-      : `<line x1="${x}" x2="${x + 22}" y1="${y + 10}" y2="${y + 10}" stroke="${color}" stroke-width="2"${curve.group ? '' : ' stroke-dasharray="5 5"'}/>`;
+      : `<line x1="${x}" x2="${x + 22}" y1="${y + 10}" y2="${y + 10}" stroke="${color}" stroke-width="2"${makeDashes(curve)}/>`;
     svg += makeText(x + 30, y + 14.5, name, 'font-size="12"');
     x += length;
   }
@@ -66,7 +68,7 @@ function makeCurve(figure, curve, ranges, toX, toY) {
     if (isFunction && (curve.xs[k] < ranges.x[0] - 0.02 * room || curve.xs[k] > ranges.x[1] + 0.02 * room)) continue;
     points.push(`${round(toX(curve.xs[k]))},${round(toY(curve.ys[k]))}`);
   }
-  return `<polyline points="${points.join(' ')}" fill="none" stroke="${color}" stroke-width="${figure.kind === 'phase' ? 1 : 1.4}"${curve.dashed ? ' stroke-dasharray="5 5"' : ''}/>`;
+  return `<polyline points="${points.join(' ')}" fill="none" stroke="${color}" stroke-width="${figure.kind === 'phase' ? 1 : 1.4}"${makeDashes(curve)}/>`;
 }
 
 /** The figure over the given ranges, in display units, with the groups shown. */

@@ -41,6 +41,7 @@ export class LinkageView {
       this.scene.bodies.forEach((body, b) => {
         if (!body.frame) for (const point of body.points) this.#hold(box, findPlace(poses[b], point.place));
       });
+      for (const joint of this.scene.joints) if (joint.slot_length > 0) this.#holdSlot(box, joint, poses);
     }
     for (const joint of this.scene.joints) {
       if (this.scene.bodies[joint.first].frame && !joint.kind.startsWith('prismatic')) this.#hold(box, joint.first_place);
@@ -55,6 +56,12 @@ export class LinkageView {
     box.x1 = Math.max(box.x1, x);
     box.y0 = Math.min(box.y0, y);
     box.y1 = Math.max(box.y1, y);
+  }
+
+  #holdSlot(box, joint, poses) {
+    const [x, y] = findPlace(poses[joint.first], joint.first_place);
+    const angle = poses[joint.first].angle + joint.direction;
+    for (const half of [-joint.slot_length / 2, joint.slot_length / 2]) this.#hold(box, [x + half * Math.cos(angle), y + half * Math.sin(angle)]);
   }
 
   resize(width) {
@@ -144,11 +151,50 @@ export class LinkageView {
       const [x, y] = this.#place(findPlace(poses[joint.second], joint.second_place));
       const reach = this.scene.bodies[joint.first].frame ? Math.max(this.width, this.height) : 60;
       const origin = reach > 60 ? [x, y] : this.#place(findPlace(poses[joint.first], joint.first_place));
+      if (joint.slot_length > 0) {
+        this.#drawSlot(context, joint, poses, angle);
+        continue;
+      }
       context.setLineDash([6, 4]);
       this.#path(context, [[origin[0] - reach * Math.cos(angle), origin[1] + reach * Math.sin(angle)], [origin[0] + reach * Math.cos(angle), origin[1] - reach * Math.sin(angle)]]);
       context.stroke();
       context.setLineDash([]);
     }
+  }
+
+  /** The sides of a slot with clearance, as long and as far apart as they are. */
+  #drawSlot(context, joint, poses, angle) {
+    const [x, y] = this.#place(findPlace(poses[joint.first], joint.first_place));
+    const half = this.scale * (joint.slot_length / 2);
+    const wall = this.scale * ((joint.block_height || 2 * joint.journal_radius) / 2 + joint.clearance);
+    context.save();
+    context.translate(x, y);
+    context.rotate(-angle);
+    for (const side of [-wall, wall]) {
+      this.#path(context, [[-half, side], [half, side]]);
+      context.stroke();
+    }
+    context.restore();
+  }
+
+  /** A block or pin with clearance, in its size. */
+  #drawLooseBlock(context, joint, [x, y]) {
+    const angle = this.guideAngles.get(joint);
+    const [length, height] = [joint.block_length, joint.block_height].map((size) => this.scale * size);
+    context.save();
+    context.translate(x, y);
+    context.rotate(-angle);
+    context.beginPath();
+    if (length > 0) context.roundRect(-length / 2, -height / 2, length, height, this.scale * (joint.journal_radius || 0));
+    else context.arc(0, 0, this.scale * joint.journal_radius, 0, 2 * Math.PI);
+    context.fillStyle = curveColor(1 + (joint.second % 7));
+    context.globalAlpha = 0.18;
+    context.fill();
+    context.globalAlpha = 1;
+    context.strokeStyle = styleColor('--clearance');
+    context.lineWidth = 1.8;
+    context.stroke();
+    context.restore();
   }
 
   #drawGhost(context, poses) {
@@ -169,21 +215,28 @@ export class LinkageView {
     const onFrame = this.scene.bodies[joint.first].frame || this.scene.bodies[joint.second].frame;
     if (onFrame && joint.kind === 'revolute') this.#drawSupport(context, x, y);
     const isClear = joint.kind.endsWith('_clearance');
-    context.fillStyle = styleColor('--paper');
-    context.strokeStyle = isClear ? styleColor('--clearance') : styleColor('--ink');
-    context.lineWidth = isClear ? 2.4 : 1.5;
-    context.beginPath();
-    context.arc(x, y, isClear ? 7 : 4, 0, 2 * Math.PI);
-    context.fill();
-    context.stroke();
-    if (!isClear) return;
+    if (joint.slot_length > 0) {
+      this.#drawLooseBlock(context, joint, [x, y]);
+    } else {
+      context.fillStyle = styleColor('--paper');
+      context.strokeStyle = isClear ? styleColor('--clearance') : styleColor('--ink');
+      context.lineWidth = isClear ? 2.4 : 1.5;
+      context.beginPath();
+      context.arc(x, y, isClear ? 7 : 4, 0, 2 * Math.PI);
+      context.fill();
+      context.stroke();
+    }
+    if (isClear) this.#drawName(context, joint.name, x, y);
+  }
+
+  #drawName(context, name, x, y) {
     context.font = 'bold 13px system-ui, sans-serif';
     context.fillStyle = styleColor('--clearance');
     context.strokeStyle = styleColor('--paper');
     context.lineWidth = 3;
     context.textAlign = 'left';
-    context.strokeText(joint.name, x + 11, y - 9);
-    context.fillText(joint.name, x + 11, y - 9);
+    context.strokeText(name, x + 11, y - 9);
+    context.fillText(name, x + 11, y - 9);
   }
 
   #drawSupport(context, x, y) {

@@ -13,7 +13,7 @@ import { startTheme } from './palette.js';
 function showSections() {
   const sections = [...document.querySelectorAll('main section')].filter((section) => !section.closest('[hidden]'));
   document.getElementById('sections').replaceChildren(...sections.map((section) =>
-    make('a', { href: `#${section.id}` }, section.querySelector('h2').textContent)));
+    make('a', { href: `#${section.id}`, title: section.querySelector('h2').textContent }, section.dataset.brief)));
 }
 
 /** Of several cases one is shown. */

@@ -3,7 +3,7 @@
 //
 // The moving mechanism with its controls. Keys: Space plays, arrows step, Home and End, L loops, < and > change speed.
 import { findCase } from './data.js';
-import { make } from './elements.js';
+import { make, saveFile } from './elements.js';
 import { showMoment } from './figure_places.js';
 import { JointInset } from './joint_inset.js';
 import { LinkageView } from './linkage_view.js';
@@ -68,7 +68,8 @@ class MechanismPanel {
         button('▶|', 'One sample on', () => this.#step(1)), this.slider, this.clock),
       make('div', { class: 'row' }, this.#makeStageChoice(), this.#makeSpeedChoice(), this.#makeTraceChoice(),
         make('label', {}, this.loopBox, ' loop one cycle'),
-        ...(this.ideal && this.motions.length > 1 ? [make('label', {}, this.ghostBox, ' ideal as ghost')] : [])));
+        ...(this.ideal && this.motions.length > 1 ? [make('label', {}, this.ghostBox, ' ideal as ghost')] : []),
+        button('PNG', 'Picture as PNG', () => this.#savePicture())));
   }
 
   #makeStageChoice() {
@@ -109,6 +110,10 @@ class MechanismPanel {
     this.note.textContent = `The last ${span} of this stage, every recorded sample. Space plays, arrow keys step.`;
     if (this.view.width) this.view.resize(this.view.width);
     this.player.load(motion);
+  }
+
+  #savePicture() {
+    this.canvas.toBlob((blob) => saveFile(`${this.caseName}.${this.motion.raw.stage}.${this.time.toFixed(4)}_s.png`, blob));
   }
 
   #resize() {

@@ -35,11 +35,15 @@ export class Motion {
     });
   }
 
-  /** Journal offset and force of a joint; offset is undefined without clearance. */
+  /** Journal offset of a bearing, place and tilt in a slot, and forces; offset and height are undefined without clearance. */
   findJoint(j, time) {
     const blocks = this.raw.joints[j];
     const find = (name) => this.#find(blocks, name, time);
-    return { x: find('x_offset'), y: find('y_offset'), fx: find('x_force') ?? 0, fy: find('y_force') ?? 0, normal: find('normal_force') ?? 0 };
+    return {
+      x: find('x_offset'), y: find('y_offset'), fx: find('x_force') ?? 0, fy: find('y_force') ?? 0, normal: find('normal_force') ?? 0,
+      along: find('displacement'), height: find('height'), tilt: find('tilt') ?? 0, left: find('left_force') ?? 0,
+      right: find('right_force') ?? 0, contacts: Math.ceil(find('n_contacts') ?? 0),
+    };
   }
 
   /** The time of the same place in the cycle within these samples, for motions that are shown beside another. */

@@ -32,5 +32,8 @@ export function findTicks(begin, end, wanted, unit) {
 
 export const printTick = (value, decimals) => value.toFixed(decimals).replace(/^-(?=0\.?0*$)/, '').replace('-', '−');
 
+/** [px] that the numbers beside an axis take, at 12 px: what most axes need, and more where numbers are long. */
+export const findLabelRoom = (labels) => Math.max(58, 18 + 7.7 * Math.max(0, ...(labels ?? []).map((label) => label.length)));
+
 /** "Wear depth (µm)" */
 export const printAxis = (axis) => (axis.display ? `${axis.label} (${axis.display})` : axis.label);

@@ -15,6 +15,11 @@ export function curveColor(k, dark = isDark()) {
   return k <= 0 ? colors[0] : colors[1 + ((k - 1) % (colors.length - 1))];
 }
 
+const kDashes = [[], [5, 5], [1.5, 3], [9, 3, 2, 3]];
+
+/** Lengths of the dashes of a curve; none for a solid line. */
+export const findDashes = (curve) => kDashes[curve.line];
+
 /** A colour of the style sheet, "--ink". */
 export const styleColor = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 

@@ -5,10 +5,10 @@
 // Shift and drag pans, a double click shows all.
 import { findExtent, groupOf, readCurves, widen } from './curves.js';
 import { make, prepareCanvas } from './elements.js';
-import { findTicks, printAxis, printTick } from './number_text.js';
-import { curveColor, styleColor } from './palette.js';
+import { findLabelRoom, findTicks, printAxis, printTick } from './number_text.js';
+import { curveColor, findDashes, styleColor } from './palette.js';
 
-const kMargin = { left: 58, right: 14, top: 12, bottom: 46 };
+const kMargin = { left: 58, right: 14, top: 12, bottom: 46 }; // [px]; left at least
 const kPhaseHeight = 320;
 
 export class PlaneChart {
@@ -20,11 +20,12 @@ export class PlaneChart {
     this.selection = make('div', { class: 'selection', hidden: true });
     this.dots = make('div', { class: 'dots', 'aria-hidden': 'true' });
     place.append(this.canvas, this.selection, this.dots);
+    this.onHover = onHover;
     this.all = this.#findAll();
     view.x ??= this.all.x;
     view.y ??= this.all.y;
     this.resize(place.clientWidth);
-    this.#listen(onHover);
+    this.#listen();
   }
 
   #findAll() {
@@ -41,8 +42,11 @@ export class PlaneChart {
 
   /** The area of the plot and the ranges on it; a plane has one scale. */
   #layOut() {
-    const area = { x: kMargin.left, y: kMargin.top, w: this.width - kMargin.left - kMargin.right, h: this.height - kMargin.top - kMargin.bottom };
     let { x, y } = this.view;
+    const h = this.height - kMargin.top - kMargin.bottom;
+    const ticks = findTicks(y[0], y[1], Math.max(2, Math.floor(h / 45)), this.figure.y.display);
+    const left = findLabelRoom(ticks.places.map((place) => printTick(place, ticks.decimals)));
+    const area = { x: left, y: kMargin.top, w: this.width - left - kMargin.right, h };
     if (this.figure.kind === 'plane') {
       const scale = Math.max((x[1] - x[0]) / area.w, (y[1] - y[0]) / area.h);
       const fit = ([begin, end], pixels) => [(begin + end - scale * pixels) / 2, (begin + end + scale * pixels) / 2];
@@ -58,6 +62,7 @@ export class PlaneChart {
   }
 
   redraw() {
+    this.mark?.remove();
     const context = prepareCanvas(this.canvas, this.width, this.height);
     const layout = this.#layOut();
     this.#drawAxes(context, layout);
@@ -104,7 +109,7 @@ export class PlaneChart {
     context.strokeStyle = context.fillStyle = curveColor(curve.color);
     context.lineWidth = this.figure.kind === 'phase' ? 1 : 1.4;
     context.globalAlpha = this.figure.kind === 'phase' && !curve.points ? 0.7 : 1;
-    context.setLineDash(curve.dashed ? [5, 5] : []);
+    context.setLineDash(findDashes(curve));
     context.beginPath();
     for (let k = 0; k < curve.xs.length; ++k) {
       const px = toX(curve.xs[k]);
@@ -122,8 +127,8 @@ export class PlaneChart {
     context.setLineDash([]);
   }
 
-  #listen(onHover) {
-    const canvas = this.canvas;
+  #listen() {
+    const { canvas, onHover } = this;
     canvas.addEventListener('mousemove', (event) => onHover(this.#findNearest(event.offsetX, event.offsetY)));
     canvas.addEventListener('mouseleave', () => onHover(null));
     canvas.addEventListener('dblclick', () => this.showAll());
@@ -187,6 +192,20 @@ export class PlaneChart {
       }
     }
     return best && { x: best.x, values: [{ curve: best.curve, y: best.y }] };
+  }
+
+  /** Reads the next points of the first curve that is shown, round and round. */
+  readBy(n) {
+    const curve = this.curves.find((one) => this.view.shown.has(groupOf(one)) && one.group) ?? this.curves[0];
+    const count = curve.xs.length;
+    this.readAt = ((((this.readAt ?? -n) + n) % count) + count) % count;
+    const at = { x: curve.xs[this.readAt], y: curve.ys[this.readAt] };
+    this.onHover({ x: at.x, values: [{ curve, y: at.y }] });
+    const { toX, toY } = this.layout;
+    this.mark?.remove();
+    this.mark = make('div', { class: 'dot reading' });
+    this.mark.style.transform = `translate(${toX(at.x)}px, ${toY(at.y)}px)`;
+    this.selection.after(this.mark);
   }
 
   zoomBy(factor) {

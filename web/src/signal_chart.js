@@ -5,8 +5,8 @@
 // shows all.
 import uPlot from 'uplot';
 import { findExtent, findFirstRange, groupOf, readCurves, widen } from './curves.js';
-import { findTicks, printAxis, printTick } from './number_text.js';
-import { curveColor, styleColor } from './palette.js';
+import { findLabelRoom, findTicks, printAxis, printTick } from './number_text.js';
+import { curveColor, findDashes, styleColor } from './palette.js';
 
 const kHeight = 280;
 const kFont = '12px system-ui, sans-serif';
@@ -30,7 +30,7 @@ function makeAxis(axis, side) {
     labelFont: kFont,
     label: side === 'x' ? printAxis(axis) : undefined,
     labelSize: 20,
-    size: side === 'x' ? 34 : 58,
+    size: side === 'x' ? 34 : (u, values) => findLabelRoom(values),
     splits: (u, axisIndex, begin, end) => {
       const pixels = (side === 'x' ? u.bbox.width : u.bbox.height) / (window.devicePixelRatio || 1);
       return findTicks(begin, end, Math.max(2, Math.floor(pixels / (side === 'x' ? 80 : 45))), axis.display).places;
@@ -74,7 +74,7 @@ export class SignalChart {
       show: this.view.shown.has(groupOf(curve)),
       stroke: () => curveColor(curve.color),
       width: curve.group ? 1.4 : 1,
-      dash: curve.dashed ? [5, 5] : undefined,
+      dash: curve.line ? findDashes(curve) : undefined,
       spanGaps: true,
       points: { show: false },
     }));
@@ -147,6 +147,17 @@ export class SignalChart {
     const [begin, end] = this.view.x;
     const shift = Math.max(this.all[0] - begin, Math.min(this.all[1] - end, part * (end - begin)));
     this.zoomTo([begin + shift, end + shift]);
+  }
+
+  /** Moves the cursor by samples, from the first one that is seen. */
+  readBy(n) {
+    const [xs] = this.data;
+    const [begin, end] = this.view.x;
+    const at = xs[this.plot.cursor.idx ?? -1];
+    const first = xs.findIndex((x) => x >= begin);
+    const k = at >= begin && at <= end && this.plot.cursor.left >= 0 ? this.plot.cursor.idx + n : first;
+    if (!(xs[k] >= begin && xs[k] <= end)) return;
+    this.plot.setCursor({ left: this.plot.valToPos(xs[k], 'x'), top: this.plot.over.clientHeight / 2 });
   }
 
   showAll() { this.zoomTo(this.all); }

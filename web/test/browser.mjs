@@ -9,6 +9,26 @@ import { pathToFileURL } from 'node:url';
 
 const { chromium } = createRequire(`${process.env.GUDGEON_WEB_PACKAGES}/`)('playwright-core');
 
+const kPatience = 120_000; // [ms]
+
+/** Waits until the page has drawn what it was told to. */
+export const waitForFrames = (page) => page.evaluate(() => new Promise((resolve) => {
+  let left = 3;
+  const count = () => (--left > 0 ? requestAnimationFrame(count) : resolve());
+  requestAnimationFrame(count);
+}));
+
+/** Waits until find() gives what check accepts; returns it. */
+export async function waitUntil(page, find, check, what) {
+  const end = Date.now() + kPatience;
+  for (;;) {
+    const found = await find();
+    if (check(found)) return found;
+    assert.ok(Date.now() < end, `${what}: ${JSON.stringify(found)?.slice(0, 300)}`);
+    await waitForFrames(page);
+  }
+}
+
 export async function openBrowser() {
   const program = process.env.GUDGEON_CHROMIUM;
   assert.ok(existsSync(program), `Chromium is missing (${program}); setup.sh installs it`);
@@ -19,12 +39,14 @@ export async function openBrowser() {
 /** Opens a report; what it complains about or asks the network for is in page.complaints. */
 export async function openReport(browser, file, { width = 1280, scheme = 'light' } = {}) {
   const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme: scheme, acceptDownloads: true });
+  // A busy machine takes long; what is wrong takes for ever.
+  context.setDefaultTimeout(kPatience);
   const page = await context.newPage();
   page.complaints = [];
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && page.complaints.push(message.text()));
   page.on('pageerror', (error) => page.complaints.push(error.message));
   page.on('request', (request) => /^(https?|wss?):/.test(request.url()) && page.complaints.push(request.url()));
-  await page.goto(pathToFileURL(file).href, { timeout: 120_000 });
+  await page.goto(pathToFileURL(file).href);
   await page.waitForSelector('html[data-ready]');
   return page;
 }

@@ -4,7 +4,7 @@
 // Reports of runs that lack something, in Chromium: what is there is shown, and nothing complains.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { openBrowser, openReport } from './browser.mjs';
+import { openBrowser, openReport, waitUntil } from './browser.mjs';
 import { findExample, makeReport, removeFolder, writeFailing, writeTwelveJoints } from './runs.mjs';
 
 let browser;
@@ -15,10 +15,8 @@ after(async () => {
   removeFolder();
 });
 
-/** Draws every figure; returns those whose canvas has no drawn pixel. */
-async function findEmptyFigures(page) {
-  await page.evaluate(() => document.querySelectorAll('.figure').forEach((one) => one.card.draw()));
-  await page.waitForTimeout(100); // charts draw in the next turn
+/** The figures whose canvas has no drawn pixel. */
+function findEmptyFigures(page) {
   return page.evaluate(() => {
     const cards = [...document.querySelectorAll('.figure')].map((one) => one.card);
     return cards.filter((card) => {
@@ -34,7 +32,8 @@ async function checkReport(file, { figures, joints, text }) {
   assert.equal(await page.locator('.figure').count(), figures);
   await page.waitForFunction(() => document.querySelector('.mechanism').panel);
   assert.equal(await page.evaluate(() => document.querySelector('.mechanism').panel.insets.length), joints);
-  assert.deepEqual(await findEmptyFigures(page), []);
+  await page.evaluate(() => document.querySelectorAll('.figure').forEach((one) => one.card.draw()));
+  await waitUntil(page, () => findEmptyFigures(page), (empty) => empty.length === 0, 'figures without a drawn pixel');
   if (text) assert.match(await page.locator('main').textContent(), text);
   await page.evaluate(() => document.querySelector('.mechanism').panel.player.step(3));
   assert.deepEqual(page.complaints, []);

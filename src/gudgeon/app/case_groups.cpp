@@ -60,10 +60,11 @@ std::vector<CaseTraits> find_group(const std::vector<CaseTraits>& all, std::vect
 }
 
 CaseComparison make_comparison(std::string id, std::string title, const std::vector<CaseTraits>& group,
-                               std::vector<double> CaseTraits::*varied, std::string_view unit) {
-  CaseComparison comparison{std::move(id), std::move(title), {}};
+                               std::vector<double> CaseTraits::*varied, const FigureAxis& axis) {
+  CaseComparison comparison{std::move(id), std::move(title), axis, {}};
   for (const CaseTraits& one : group) {
-    comparison.cases.push_back({format_engineering(std::abs((one.*varied).front()), unit), &one.run->outline});
+    const double value = std::abs((one.*varied).front());
+    comparison.cases.push_back({format_engineering(value, axis.unit), value, &one.run->outline});
   }
   return comparison;
 }
@@ -80,17 +81,20 @@ std::vector<CaseComparison> group_cases(std::span<const ReadRun> runs) {
     return a.speeds == b.speeds && a.others == b.others && !a.clearances.empty();
   });
   if (over_clearance.size() > 1) {
-    comparisons.push_back(make_comparison("clearance", "over clearance", over_clearance, &CaseTraits::clearances, "m"));
+    comparisons.push_back(make_comparison("clearance", "over clearance", over_clearance, &CaseTraits::clearances,
+                                          {"Clearance", "m", "m", 1.0}));
   }
   const auto over_speed = find_group(all, &CaseTraits::speeds, [](const CaseTraits& a, const CaseTraits& b) {
     return a.clearances == b.clearances && a.others == b.others && !a.speeds.empty();
   });
   if (over_speed.size() > 1) {
-    comparisons.push_back(make_comparison("speed", "over speed", over_speed, &CaseTraits::speeds, "rad/s"));
+    comparisons.push_back(
+        make_comparison("speed", "over speed", over_speed, &CaseTraits::speeds, {"Speed", "rad/s", "rad/s", 1.0}));
   }
   if (comparisons.empty() && all.size() > 1) {
-    CaseComparison& every = comparisons.emplace_back(CaseComparison{"case", "in every case", {}});
-    for (const CaseTraits& one : all) every.cases.push_back({one.run->outline.case_name, &one.run->outline});
+    CaseComparison& every = comparisons.emplace_back(CaseComparison{"case", "in every case", {}, {}});
+    for (const CaseTraits& one : all)
+      every.cases.push_back({.label = one.run->outline.case_name, .run = &one.run->outline});
   }
   return comparisons;
 }

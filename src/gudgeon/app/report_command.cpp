@@ -44,7 +44,7 @@ ExitCode write_report(const std::filesystem::path& runs, const std::filesystem::
     write_stderr(fmt::format("gudgeon: {}\n", trouble));
     page.add_warning("Not in this report: " + trouble);
   }
-  for (const ReadRun& one : read.runs) page.add_case(read_report_case(one));
+  for (const ReadRun& one : read.runs) page.add_case(read_report_case(one, page.has_room()));
   page.add_comparisons(group_cases(read.runs));
   write_whole(output, page.render());
   write_stdout(fmt::format("{}\n", output.string()));

@@ -93,7 +93,7 @@ RunRecord read_figure_channels(const ReadRun& one) {
   return run;
 }
 
-ReportCase read_report_case(const ReadRun& one) {
+ReportCase read_report_case(const ReadRun& one, bool with_samples) {
   ReportCase report;
   report.run = one.outline;
   if (one.model) {
@@ -118,7 +118,7 @@ ReportCase read_report_case(const ReadRun& one) {
         "values are not listed.";
   }
   read_stated_values(report.run.model_text, report);
-  read_into(one.file, report.run, report.scene);
+  if (with_samples) read_into(one.file, report.run, report.scene);
   return report;
 }
 

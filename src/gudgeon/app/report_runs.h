@@ -29,8 +29,8 @@ struct ReadRuns {
 /// The run files of a directory, or the one that is named. FileError when there is none that can be read.
 ReadRuns read_runs(const std::filesystem::path& path);
 
-/// All that a case's page needs, with the samples its figures show.
-ReportCase read_report_case(const ReadRun& one);
+/// All that a case's page needs, with the samples its figures show unless they are not wanted.
+ReportCase read_report_case(const ReadRun& one, bool with_samples);
 
 /// The run with the samples that its figures show.
 RunRecord read_figure_channels(const ReadRun& one);

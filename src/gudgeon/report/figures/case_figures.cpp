@@ -79,7 +79,9 @@ std::vector<std::string> find_figure_channels(const RunRecord& outline, const St
   std::vector<std::string> wanted = find_motion_channels(outline);
   for (const Channel& effort : find_effort_channels(outline)) wanted.push_back(effort.name);
   for (const std::string& joint : find_clearance_joints(outline)) {
-    for (const char* ending : {".normal_force", ".x_offset", ".y_offset", ".x_offset_rate", ".y_offset_rate"}) {
+    for (const char* ending :
+         {".normal_force", ".x_offset", ".y_offset", ".x_offset_rate", ".y_offset_rate",   // a bearing's
+          ".displacement", ".speed", ".height", ".height_rate", ".tilt", ".tilt_rate"}) {  // a slot's
       wanted.push_back(joint + ending);
     }
   }

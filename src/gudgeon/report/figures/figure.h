@@ -31,15 +31,18 @@ struct FigureAxis {
   double factor = 1.0;       ///< display value = factor · SI value
 };
 
+/// Beside colour, what tells curves apart: on grey paper and to whom colours look alike.
+enum class LineStyle { solid, dashed, dotted, dash_dotted };
+
 struct FigureCurve {
   std::string name;   ///< as the legend has it, "first wear"
   std::string group;  ///< stage or case; its curves have one colour and are switched together; empty: a reference line
   Numbers x;
   Numbers y;
-  int color = 0;                  ///< index into the palette; 0 is the neutral one
-  bool shown = true;              ///< at first
-  bool points = false;            ///< dots, not a line
-  bool dashed = false;            ///< a second curve of its group
+  int color = 0;        ///< index into the palette; 0 is the neutral one
+  bool shown = true;    ///< at first
+  bool points = false;  ///< dots, not a line
+  LineStyle line = LineStyle::solid;
   std::size_t cycle_samples = 0;  ///< samples a cycle of a recorded signal; 0 for what is always shown whole
 };
 

@@ -28,7 +28,7 @@ FigureCurve make_circle(std::string name, double radius) {
   curve.name = std::move(name);
   curve.x = make_numbers(std::move(x));
   curve.y = make_numbers(std::move(y));
-  curve.dashed = true;
+  curve.line = LineStyle::dashed;
   return curve;
 }
 
@@ -63,16 +63,41 @@ Numbers select_cycle_starts(const StageRecord& stage, const Numbers& values, std
   return make_numbers(std::move(chosen));
 }
 
+/// A coordinate of a journal in its bearing, and its rate.
+struct JournalAxis {
+  const char* id;  ///< of the figure, "x"
+  const char* place;
+  const char* rate;
+  const char* words;  ///< "in x"
+  const char* label;
+  const char* unit;
+  const char* rate_label;
+  const char* rate_unit;
+};
+
+constexpr JournalAxis kJournalAxes[] = {
+    {"x", "x_offset", "x_offset_rate", "in x", "Offset in x", "m", "Velocity in x", "m/s"},
+    {"y", "y_offset", "y_offset_rate", "in y", "Offset in y", "m", "Velocity in y", "m/s"},
+    {"along", "displacement", "speed", "along its slot", "Place along the slot", "m", "Speed along the slot", "m/s"},
+    {"across", "height", "height_rate", "across its slot", "Height in the slot", "m", "Speed across the slot", "m/s"},
+    {"tilt", "tilt", "tilt_rate", "in tilt", "Tilt", "rad", "Rate of tilt", "rad/s"},
+};
+
+const JointWear* find_any_wear(const RunRecord& run, const std::string& joint) {
+  for (const StageRecord& stage : run.stages) {
+    if (const JointWear* wear = find_wear(stage, joint)) return wear;
+  }
+  return nullptr;
+}
+
 Figure make_orbit(Signals& signals, const std::string& joint) {
   Figure figure = make_pair_figure(signals, joint + ".x_offset", joint + ".y_offset");
+  if (figure.curves.empty()) return figure;
   figure.id = joint + ".orbit";
   figure.kind = FigureKind::plane;
   figure.title = fmt::format("Orbit of the journal in {}", joint);
-  for (const StageRecord& stage : signals.run().stages) {
-    const JointWear* wear = find_wear(stage, joint);
-    if (figure.curves.empty() || wear == nullptr || !std::isfinite(wear->bearing_radius)) continue;
+  if (const JointWear* wear = find_any_wear(signals.run(), joint)) {
     figure.curves.push_back(make_circle("clearance circle", wear->bearing_radius - wear->journal_radius));
-    break;
   }
   figure.caption =
       "Journal centre from bearing centre, in the frame's axes. Outside the circle the unworn surfaces would touch.";
@@ -84,23 +109,51 @@ Figure make_orbit(Signals& signals, const std::string& joint) {
   return figure;
 }
 
-Figure make_phase_portrait(Signals& signals, const std::string& joint, const std::string& axis) {
-  const std::string channel = fmt::format("{}.{}_offset", joint, axis);
-  Figure figure = make_pair_figure(signals, channel, channel + "_rate");
-  figure.id = fmt::format("{}.phase_{}", joint, axis);
+/// How far a middle may go to either side, over the whole slot.
+FigureCurve make_wall(double slot_length, double height) {
+  FigureCurve curve;
+  curve.name = "clearance";
+  curve.line = LineStyle::dashed;
+  curve.x = make_numbers({-0.5 * slot_length, 0.5 * slot_length});
+  curve.y = make_numbers({height, height});
+  return curve;
+}
+
+/// The orbit of a block or pin: its middle between the sides of its slot.
+Figure make_slot_path(Signals& signals, const std::string& joint) {
+  Figure figure = make_pair_figure(signals, joint + ".displacement", joint + ".height");
+  if (figure.curves.empty()) return figure;
+  figure.id = joint + ".orbit";
   figure.kind = FigureKind::phase;
-  figure.title = fmt::format("Phase portrait of {} in {}", joint, axis);
-  figure.caption = "Journal against bearing: velocity over offset.";
-  show_first_and_last(figure);
-  figure.x = make_x_axis("Offset in " + axis, "m", figure.curves);
-  figure.y = make_y_axis("Velocity in " + axis, "m/s", figure.curves);
+  figure.title = fmt::format("Path of the journal in the slot of {}", joint);
+  if (const JointWear* wear = find_any_wear(signals.run(), joint)) {
+    for (const double side : {1.0, -1.0}) figure.curves.push_back(make_wall(wear->slot_length, side * wear->clearance));
+  }
+  figure.caption =
+      "Middle of the journal from the middle of the slot, heights magnified. Beyond a dashed line the unworn surfaces "
+      "would touch; a tilted block touches before its middle is there.";
+  figure.x = make_x_axis("Place along the slot", "m", figure.curves);
+  figure.y = make_y_axis("Height in the slot", "m", figure.curves);
   return figure;
 }
 
-Figure make_poincare_map(Signals& signals, const std::string& joint, const std::string& axis) {
+Figure make_phase_portrait(Signals& signals, const std::string& joint, const JournalAxis& axis) {
+  Figure figure =
+      make_pair_figure(signals, fmt::format("{}.{}", joint, axis.place), fmt::format("{}.{}", joint, axis.rate));
+  figure.id = fmt::format("{}.phase_{}", joint, axis.id);
+  figure.kind = FigureKind::phase;
+  figure.title = fmt::format("Phase portrait of {} {}", joint, axis.words);
+  figure.caption = "Journal against bearing: velocity over offset.";
+  show_first_and_last(figure);
+  figure.x = make_x_axis(axis.label, axis.unit, figure.curves);
+  figure.y = make_y_axis(axis.rate_label, axis.rate_unit, figure.curves);
+  return figure;
+}
+
+Figure make_poincare_map(Signals& signals, const std::string& joint, const JournalAxis& axis) {
   Figure figure = make_phase_portrait(signals, joint, axis);
-  figure.id = fmt::format("{}.poincare_{}", joint, axis);
-  figure.title = fmt::format("Poincaré map of {} in {}", joint, axis);
+  figure.id = fmt::format("{}.poincare_{}", joint, axis.id);
+  figure.title = fmt::format("Poincaré map of {} {}", joint, axis.words);
   figure.caption = "The phase portrait met once a cycle, at the start of each counted cycle.";
   for (FigureCurve& curve : figure.curves) {
     const StageRecord* stage = find_stage(signals.run(), curve.group);
@@ -110,8 +163,8 @@ Figure make_poincare_map(Signals& signals, const std::string& joint, const std::
     curve.cycle_samples = 0;
     curve.points = true;
   }
-  figure.x = make_x_axis("Offset in " + axis, "m", figure.curves);
-  figure.y = make_y_axis("Velocity in " + axis, "m/s", figure.curves);
+  figure.x = make_x_axis(axis.label, axis.unit, figure.curves);
+  figure.y = make_y_axis(axis.rate_label, axis.rate_unit, figure.curves);
   return figure;
 }
 
@@ -121,10 +174,12 @@ std::vector<Figure> make_journal_figures(Signals& signals) {
   std::vector<Figure> figures;
   // Joint beside joint, so that pictures of one kind stand together.
   const std::vector<std::string> joints = find_clearance_joints(signals.run());
-  for (const std::string& joint : joints) figures.push_back(make_orbit(signals, joint));
+  for (const auto make : {make_orbit, make_slot_path}) {
+    for (const std::string& joint : joints) figures.push_back(make(signals, joint));
+  }
   for (const auto make : {make_phase_portrait, make_poincare_map}) {
     for (const std::string& joint : joints) {
-      for (const char* axis : {"x", "y"}) figures.push_back(make(signals, joint, axis));
+      for (const JournalAxis& axis : kJournalAxes) figures.push_back(make(signals, joint, axis));
     }
   }
   std::erase_if(figures, [](const Figure& figure) { return figure.curves.empty(); });

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "gudgeon/report/figures/display_unit.h"
@@ -27,7 +28,13 @@ FigureCurve make_worn_curve(const WornSurfaces& surfaces, const SurfaceProfile& 
   curve.name = surfaces.name;
   curve.group = surfaces.group;
   curve.color = surfaces.color;
-  curve.dashed = profile.name == "journal" || profile.name == "right side";
+  if (profile.part >= 0) {
+    // Sides and corners: each has its name, its colour, its line, and is switched by itself.
+    curve.name += ", " + profile.name;
+    curve.group += "." + profile.name;
+    curve.color += profile.part * surfaces.n_alike;
+    curve.line = static_cast<LineStyle>(profile.part);
+  }
   curve.x = std::move(x);
   curve.y = std::move(y);
   return curve;
@@ -92,11 +99,38 @@ SurfaceProfile cut_opposite(SurfaceProfile profile, std::size_t region) {
   return profile;
 }
 
-void enlarge(Figure& figure, const SurfaceProfile& profile, double center) {
-  const double length = profile.position->back() - profile.position->front();
-  const double half = profile.radius > 0.0 ? kEnlargedHalfWidth : 0.25 * length;
-  figure.x_begin = std::max(profile.position->front(), center - half);
-  figure.x_end = std::min(profile.position->back(), center + half);
+/// The region opposite to the middle of the longest part where none of the profiles, of equal length, is worn.
+std::size_t find_middle_of_wear(std::span<const SurfaceProfile> profiles) {
+  const std::size_t n = profiles.front().depth->size();
+  const auto is_worn = [&](std::size_t region) {
+    return std::ranges::any_of(profiles, [&](const SurfaceProfile& profile) {
+      return profile.depth->size() == n && (*profile.depth)[region % n] > 0.0;
+    });
+  };
+  std::size_t longest = 0;
+  std::size_t middle = 0;
+  std::size_t length = 0;
+  for (std::size_t k = 0; k < 2 * n; ++k) {  // twice around: a part may pass the first region
+    length = is_worn(k) ? 0 : std::min(length + 1, n);
+    if (length <= longest) continue;
+    longest = length;
+    middle = k + n - length / 2;
+  }
+  return (middle + n / 2) % n;
+}
+
+/// About the deepest place of each profile.
+void enlarge(Figure& figure, std::span<const SurfaceProfile> profiles) {
+  figure.x_begin = std::numeric_limits<double>::infinity();
+  figure.x_end = -figure.x_begin;
+  for (const SurfaceProfile& profile : profiles) {
+    if (!(find_greatest(profile.depth) > 0.0)) continue;
+    const double center = (*profile.position)[find_deepest_region(profile)];
+    const double length = profile.position->back() - profile.position->front();
+    const double half = profile.radius > 0.0 ? kEnlargedHalfWidth : 0.25 * length;
+    figure.x_begin = std::min(figure.x_begin, std::max(profile.position->front(), center - half));
+    figure.x_end = std::max(figure.x_end, std::min(profile.position->back(), center + half));
+  }
 }
 
 }  // namespace
@@ -132,23 +166,23 @@ Figure make_unrolled_figure(std::span<const WornSurfaces> surfaces, bool of_bear
     }
   }
   if (profiles.empty()) return figure;
-  const std::size_t deepest = find_deepest_region(profiles.back());
-  const double center = (*profiles.back().position)[deepest];
+  const std::size_t n_last = 1 + static_cast<std::size_t>(std::max(0, profiles.back().part));
+  const std::size_t deepest = n_last > 1 ? find_middle_of_wear(profiles) : find_deepest_region(profiles.back());
   for (std::size_t k = 0; k < profiles.size(); ++k) {
     profiles[k] = cut_opposite(std::move(profiles[k]), deepest);
     figure.curves.push_back(make_worn_curve(*owners[k], profiles[k], profiles[k].position, place_across(profiles[k])));
-    figure.curves.back().dashed = false;
   }
   const SurfaceProfile& last = profiles.back();
   FigureCurve unworn;
   unworn.name = "unworn";
-  unworn.dashed = true;
+  unworn.line = LineStyle::dashed;
   unworn.x = last.position;
   unworn.y = make_numbers(std::vector<double>(last.position->size(), 0.0));
   figure.curves.push_back(std::move(unworn));
   figure.x = make_x_axis(last.label, last.unit, figure.curves);
-  figure.y = make_y_axis("Radius less unworn radius", "m", figure.curves);
-  enlarge(figure, last, center);
+  figure.y =
+      make_y_axis(last.radius > 0.0 ? "Radius less unworn radius" : "Depth below the unworn side", "m", figure.curves);
+  enlarge(figure, std::span(profiles).last(n_last));
   return figure;
 }
 
@@ -166,7 +200,10 @@ Figure make_outline_figure(std::span<const WornSurfaces> surfaces) {
   if (!(deepest > 0.0)) return figure;
   const double factor = find_round_factor(kDepthShown * radius / deepest);
   for (const WornSurfaces& one : surfaces) {
-    for (const SurfaceProfile& profile : split_round(one)) figure.curves.push_back(make_outline(one, profile, factor));
+    for (const SurfaceProfile& profile : split_round(one)) {
+      figure.curves.push_back(make_outline(one, profile, factor));
+      if (profile.name == "journal") figure.curves.back().line = LineStyle::dashed;
+    }
   }
   figure.caption = fmt::format(
       "Solid: bearing; dashed: journal, concentric and turned as at zero angle. Depth × {:g}; radii are to scale.",

@@ -17,8 +17,9 @@ struct WornSurfaces {
   std::string name;
   std::string group;
   int color = 0;
+  int n_alike = 1;  ///< how many states or cases are drawn over each other
   const JointWear* wear = nullptr;
-  WearState state;
+  WearState state = {};
 };
 
 /// Depth of bearing and journal together over the bearing's surface; empty curves when nothing is worn.

@@ -17,9 +17,10 @@ std::vector<WornSurfaces> find_worn_surfaces(const RunRecord& run, const std::st
   std::vector<WornSurfaces> surfaces;
   for (WearState& state : find_wear_states(run, joint)) {
     const StageRecord* stage = find_stage(run, state.stage);
-    surfaces.push_back({state.name, state.stage, find_stage_color(run, state.stage), find_wear(*stage, joint), {}});
+    surfaces.push_back({state.name, state.stage, find_stage_color(run, state.stage), 1, find_wear(*stage, joint), {}});
     surfaces.back().state = std::move(state);
   }
+  for (WornSurfaces& one : surfaces) one.n_alike = static_cast<int>(surfaces.size());
   return surfaces;
 }
 
@@ -31,6 +32,22 @@ void add_wear_figure(std::vector<Figure>& figures, Figure figure, std::string id
   figure.title = std::move(title);
   if (figure.caption.empty()) figure.caption = caption;
   figures.push_back(std::move(figure));
+}
+
+/// Both sides of a joint as they are worn, unrolled.
+void add_unrolled_figures(std::vector<Figure>& figures, const std::string& joint,
+                          const std::vector<WornSurfaces>& surfaces) {
+  if (surfaces.empty()) return;
+  const bool is_slot = surfaces.front().wear->slot_length > 0.0;
+  const bool is_block = split_journal(*surfaces.front().wear, surfaces.front().state.journal_depth).size() > 1;
+  add_wear_figure(figures, make_unrolled_figure(surfaces, true), joint + ".bearing_surface",
+                  fmt::format("{} of {}, enlarged", is_slot ? "Sides of the slot" : "Bearing surface", joint),
+                  is_slot ? "The rebuilt sides about their deepest places."
+                          : "The rebuilt surface about its deepest place; a bearing grows where it wears.");
+  add_wear_figure(figures, make_unrolled_figure(surfaces, false), joint + ".journal_surface",
+                  fmt::format("{} of {}, enlarged", is_block ? "Corners of the block" : "Journal surface", joint),
+                  is_block ? "The rebuilt corners about their deepest places; they shrink where they wear."
+                           : "The rebuilt surface about its deepest place; a journal shrinks where it wears.");
 }
 
 }  // namespace
@@ -49,14 +66,7 @@ std::vector<Figure> make_wear_figures(const RunRecord& run) {
     add_wear_figure(figures, make_outline_figure(surfaces), joint + ".surfaces",
                     fmt::format("Rebuilt surfaces of {}", joint), "");
   }
-  for (const auto& [joint, surfaces] : joints) {
-    add_wear_figure(figures, make_unrolled_figure(surfaces, true), joint + ".bearing_surface",
-                    fmt::format("Bearing surface of {}, enlarged", joint),
-                    "The rebuilt surface about its deepest place; a bearing grows where it wears.");
-    add_wear_figure(figures, make_unrolled_figure(surfaces, false), joint + ".journal_surface",
-                    fmt::format("Journal surface of {}, enlarged", joint),
-                    "The rebuilt surface about its deepest place; a journal shrinks where it wears.");
-  }
+  for (const auto& [joint, surfaces] : joints) add_unrolled_figures(figures, joint, surfaces);
   return figures;
 }
 

@@ -27,7 +27,7 @@ std::vector<double> add_depths(std::vector<double> worn, const std::vector<doubl
 }
 
 SurfaceProfile make_round(const char* name, double radius, double outwards, std::span<const double> depth) {
-  SurfaceProfile profile{name, std::string("Angle in the ") + name, "rad", radius, outwards, nullptr, nullptr};
+  SurfaceProfile profile{name, std::string("Angle in the ") + name, "rad", radius, -1, outwards, nullptr, nullptr};
   std::vector<double> angles;
   for (std::size_t k = 0; k < depth.size(); ++k) angles.push_back(find_region_angle(k, depth.size()));
   profile.position = make_numbers(std::move(angles));
@@ -36,8 +36,8 @@ SurfaceProfile make_round(const char* name, double radius, double outwards, std:
 }
 
 /// One side of a slot, from its rear to its front end.
-SurfaceProfile make_side(const char* name, double length, std::span<const double> depth) {
-  SurfaceProfile profile{name, "Place along the slot", "m", 0.0, 1.0, nullptr, nullptr};
+SurfaceProfile make_side(const char* name, int part, double length, std::span<const double> depth) {
+  SurfaceProfile profile{name, "Place along the slot", "m", 0.0, part, 1.0, nullptr, nullptr};
   std::vector<double> places;
   for (std::size_t k = 0; k < depth.size(); ++k) places.push_back(find_region_position(k, depth.size(), length));
   profile.position = make_numbers(std::move(places));
@@ -69,8 +69,8 @@ std::vector<WearState> find_wear_states(const RunRecord& run, const std::string&
 std::vector<SurfaceProfile> split_bearing(const JointWear& wear, const std::vector<double>& depth) {
   if (!(wear.slot_length > 0.0)) return {make_round("bearing", wear.bearing_radius, 1.0, depth)};
   const std::size_t n = depth.size() / 2;
-  return {make_side("left side", wear.slot_length, std::span(depth).first(n)),
-          make_side("right side", wear.slot_length, std::span(depth).last(n))};
+  return {make_side("left side", 0, wear.slot_length, std::span(depth).first(n)),
+          make_side("right side", 1, wear.slot_length, std::span(depth).last(n))};
 }
 
 std::vector<SurfaceProfile> split_journal(const JointWear& wear, const std::vector<double>& depth) {
@@ -82,7 +82,9 @@ std::vector<SurfaceProfile> split_journal(const JointWear& wear, const std::vect
   }
   std::vector<SurfaceProfile> corners;
   for (std::size_t c = 0; c < kCorners.size(); ++c) {
-    corners.push_back(make_round(kCorners[c], wear.journal_radius, -1.0, std::span(depth).subspan(c * n, n)));
+    corners.push_back(make_round("block", wear.journal_radius, -1.0, std::span(depth).subspan(c * n, n)));
+    corners.back().name = kCorners[c];
+    corners.back().part = static_cast<int>(c);
   }
   return corners;
 }

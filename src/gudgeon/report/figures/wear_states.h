@@ -30,6 +30,7 @@ struct SurfaceProfile {
   std::string label;      ///< of the coordinate, "Angle in the bearing"
   std::string unit;       ///< of the coordinate, "rad" or "m"
   double radius = 0.0;    ///< [m] of a round surface, unworn; 0 for a flat one
+  int part = -1;          ///< which of the sides of a slot or corners of a block; -1 for what is one alone
   double outwards = 1.0;  ///< sign of the depth along the radius: bearings grow, journals shrink
   Numbers position;
   Numbers depth;  ///< [m]

@@ -41,8 +41,8 @@ int BlockStore::add_times(std::span<const double> values) {
 int BlockStore::add_block(const char* type, std::span<const unsigned char> bytes) {
   const std::string text = encode_base64(bytes);
   fmt::format_to(std::back_inserter(html_),
-                 "<script type=\"text/plain\" id=\"block-{}\" data-type=\"{}\">{}</script>\n", n_blocks_, type, text);
-  return n_blocks_++;
+                 "<script type=\"text/plain\" id=\"block-{}\" data-type=\"{}\">{}</script>\n", end_, type, text);
+  return end_++;
 }
 
 }  // namespace gudgeon

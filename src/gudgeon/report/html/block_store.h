@@ -17,6 +17,9 @@ namespace gudgeon {
 
 class BlockStore {
  public:
+  /// The first block's number.
+  explicit BlockStore(int first = 0) : end_(first) {}
+
   /// Single precision, 7 digits: signals.
   int add_signal(std::span<const double> values);
   /// Double precision: times, whose last digits matter after many cycles.
@@ -33,18 +36,15 @@ class BlockStore {
   void keep(Numbers numbers) { kept_.push_back(std::move(numbers)); }
   /// The blocks as script elements "block-0", "block-1" …
   [[nodiscard]] const std::string& html() const { return html_; }
-  /// Forgets whose blocks they are: what comes next shares none of them.
-  void forget() {
-    known_.clear();
-    kept_.clear();
-  }
+  /// The number after the last block's.
+  [[nodiscard]] int end() const { return end_; }
 
  private:
   int add_block(const char* type, std::span<const unsigned char> bytes);
   std::string html_;
   std::map<std::pair<const void*, std::size_t>, int> known_;
   std::vector<Numbers> kept_;
-  int n_blocks_ = 0;
+  int end_;
 };
 
 }  // namespace gudgeon

@@ -5,10 +5,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "gudgeon/report/html/report_case.h"
 
 namespace gudgeon {
+
+/// Where the script puts the figures of a topic.
+std::string make_figure_place(std::string_view case_name, std::string_view topic);
 
 std::string render_simulated(const ReportCase& one);
 std::string render_published_values(const ReportCase& one);

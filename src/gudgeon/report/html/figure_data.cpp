@@ -59,18 +59,19 @@ int add_curve_y(BlockStore& blocks, FigureKind kind, const Numbers& y, const Sig
   });
 }
 
-void add_curve(JsonText& json, BlockStore& blocks, FigureKind kind, const FigureCurve& curve, double full_cycles) {
+void add_curve(JsonText& json, BlockStore& blocks, FigureKind kind, const FigureCurve& curve,
+               const SignalDetail& detail) {
   const std::size_t n = curve.x->size();
   const std::size_t n_full =
-      curve.cycle_samples == 0 ? n : std::min(n, find_full_count(full_cycles, curve.cycle_samples));
-  const SignalCut cut{n, n_full};
+      curve.cycle_samples == 0 ? n : std::min(n, find_full_count(detail.full_cycles, curve.cycle_samples));
+  const SignalCut cut{n, n_full, detail.n_spans};
   json.begin_object();
   json.put("name", curve.name);
   json.put("group", curve.group);
   json.put("color", curve.color);
   json.put("shown", curve.shown);
   json.put("points", curve.points);
-  json.put("dashed", curve.dashed);
+  json.put("line", static_cast<int>(curve.line));
   json.put("follows", curve.cycle_samples > 0);
   json.put("x", add_curve_x(blocks, kind, curve.x, cut));
   json.put("y", add_curve_y(blocks, kind, curve.y, cut));
@@ -83,7 +84,7 @@ std::size_t find_full_count(double full_cycles, std::size_t cycle_samples) {
   return static_cast<std::size_t>(std::llround(full_cycles * static_cast<double>(cycle_samples))) + 1;
 }
 
-void add_figure(JsonText& json, BlockStore& blocks, const Figure& figure, double full_cycles) {
+void add_figure(JsonText& json, BlockStore& blocks, const Figure& figure, const SignalDetail& detail) {
   json.begin_object();
   json.put("id", figure.id);
   json.put("topic", figure.topic);
@@ -96,7 +97,7 @@ void add_figure(JsonText& json, BlockStore& blocks, const Figure& figure, double
   json.put("end", figure.x_end);
   json.key("curves");
   json.begin_array();
-  for (const FigureCurve& curve : figure.curves) add_curve(json, blocks, figure.kind, curve, full_cycles);
+  for (const FigureCurve& curve : figure.curves) add_curve(json, blocks, figure.kind, curve, detail);
   json.end_array();
   json.end_object();
 }

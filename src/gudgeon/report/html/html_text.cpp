@@ -35,9 +35,18 @@ std::string make_paragraph(std::string_view text, std::string_view name) {
 
 namespace {
 
+/// [bytes] a cell of more is a text that breaks into lines.
+constexpr std::size_t kLongCell = 32;
+
 /// A true minus sign and raised exponents: "−606.1 m/s²".
 std::string print_number_cell(const std::string& cell) {
-  return print_unit(cell.starts_with('-') ? "−" + cell.substr(1) : cell);
+  std::string text;
+  for (std::size_t k = 0; k < cell.size(); ++k) {
+    text += cell[k] == '-' && (k == 0 || cell[k - 1] == ' ') && k + 1 < cell.size() && cell[k + 1] != ' '
+                ? std::string("−")
+                : std::string(1, cell[k]);
+  }
+  return print_unit(text);
 }
 
 }  // namespace
@@ -59,7 +68,7 @@ std::string HtmlTable::render() const {
     html += "<tr>";
     for (std::size_t k = 0; k < row.size(); ++k) {
       html += k == 0 ? fmt::format("<th scope=\"row\">{}</th>", escape_html(row[k]))
-                     : fmt::format("<td{}>{}</td>", name_class(k),
+                     : fmt::format("<td{}>{}</td>", row[k].size() > kLongCell ? " class=\"long\"" : name_class(k),
                                    escape_html(k < n_text_columns_ ? row[k] : print_number_cell(row[k])));
     }
     html += "</tr>\n";

@@ -45,6 +45,11 @@ void JsonText::add(std::string_view text) {
   text_ += '"';
 }
 
+void JsonText::add_json(std::string_view json) {
+  separate();
+  text_ += json;
+}
+
 void JsonText::add(double value) {
   separate();
   if (std::isfinite(value)) {

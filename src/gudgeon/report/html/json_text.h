@@ -25,6 +25,9 @@ class JsonText {
   void add(int value);
   void add(bool value);
 
+  /// A value that is JSON already.
+  void add_json(std::string_view json);
+
   template <class Value>
   void put(std::string_view name, const Value& value) {
     key(name);

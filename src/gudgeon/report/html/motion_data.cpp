@@ -101,7 +101,9 @@ void add_stage_motion(JsonText& json, BlockStore& blocks, const Scene& scene, Si
   json.begin_array();
   for (const SceneJoint& joint : scene.joints) {
     add_channels_of(json, blocks, signals, stage, joint.name,
-                    {"x_offset", "y_offset", "x_force", "y_force", "normal_force"}, n_last);
+                    {"x_offset", "y_offset", "x_force", "y_force", "normal_force", "displacement", "height", "tilt",
+                     "left_force", "right_force", "n_contacts"},
+                    n_last);
   }
   json.end_array();
   json.end_object();
@@ -116,7 +118,8 @@ std::vector<std::string> find_pose_channels(const Scene& scene, const StageRecor
   }
   for (const SceneJoint& joint : scene.joints) {
     if (!joint.kind.ends_with("_clearance")) continue;
-    for (const char* ending : {".x_force", ".y_force"}) wanted.push_back(joint.name + ending);
+    for (const char* ending : {".x_force", ".y_force", ".left_force", ".right_force", ".n_contacts"})
+      wanted.push_back(joint.name + ending);
   }
   std::erase_if(wanted, [&](const std::string& name) {
     return std::ranges::find(stage.channels, name, &Channel::name) == stage.channels.end();

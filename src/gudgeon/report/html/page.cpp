@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sections in the order of a paper's results, then data, then script.
+// Cases, their comparison, data, script; and what each may take of the page.
 #include "gudgeon/report/html/page.h"
 
 #include <fmt/format.h>
 
-#include "gudgeon/report/figures/case_figures.h"
+#include <algorithm>
+
+#include "gudgeon/report/html/case_page.h"
 #include "gudgeon/report/html/case_sections.h"
 #include "gudgeon/report/html/figure_data.h"
-#include "gudgeon/report/html/full_cycles.h"
 #include "gudgeon/report/html/html_text.h"
 #include "gudgeon/report/html/page_assets.h"
 
@@ -17,95 +18,89 @@ namespace gudgeon {
 
 namespace {
 
-/// Where the script puts the figures of a topic.
-std::string make_figure_place(std::string_view case_name, std::string_view topic) {
-  return fmt::format("<div class=\"figures\" data-case=\"{}\" data-topic=\"{}\"></div>\n", escape_html(case_name),
-                     topic);
-}
-
-std::string make_section(std::string_view case_name, std::string_view id, std::string_view title,
-                         const std::string& content) {
-  if (content.empty()) return {};
-  return fmt::format("<section id=\"{0}-{1}\" class=\"{1}\"><h2>{2}</h2>\n{3}</section>\n", escape_html(case_name), id,
-                     title, content);
-}
-
-bool has_topic(const std::vector<Figure>& figures, std::string_view topic) {
-  return std::ranges::any_of(figures, [&](const Figure& figure) { return figure.topic == topic; });
-}
-
-std::string render_article(const ReportCase& one, const std::vector<Figure>& figures) {
-  const RunRecord& run = one.run;
-  const std::string& name = run.case_name;
-  const auto place = [&](std::string_view topic) {
-    return has_topic(figures, topic) ? make_figure_place(name, topic) : std::string{};
-  };
-  std::string html =
-      fmt::format("<article class=\"case\" data-case=\"{0}\" aria-label=\"Case {0}\">\n", escape_html(name));
-  if (one.scene && !run.stages.empty()) {
-    html += make_section(name, "moving", "The mechanism, moving",
-                         fmt::format("<div class=\"mechanism\" data-case=\"{}\"></div>\n", escape_html(name)));
-  }
-  html += make_section(name, "simulated", "What was simulated", render_simulated(one));
-  html += make_section(name, "published", "Beside the published values", render_published_values(one));
-  html += make_section(name, "wear", "Wear", render_wear_table(run) + place("wear"));
-  html += make_section(name, "motion", "Motion", render_ideal_table(run) + place("motion"));
-  html += make_section(name, "forces", "Drivers and contact forces",
-                       render_peak_table(run) + place("drive") + place("contact"));
-  html += make_section(name, "journals", "Journals in their bearings", render_contact_table(run) + place("journal"));
-  html += make_section(name, "energy", "Energy", render_energy_table(run));
-  html += make_section(name, "solver", "Solver", render_solver_table(run));
-  html += make_section(name, "stated", "Values and where they come from", render_stated_values(one));
-  html += make_section(name, "repeat", "How to repeat it", render_repetition(one));
-  return html + "</article>\n";
-}
+// Of the page's size.
+constexpr std::size_t kSlack = 300'000;             // [bytes] header, footer, warnings
+constexpr std::size_t kComparisonSize = 1'500'000;  // [bytes]
+constexpr std::size_t kLeastCaseSize = 400'000;     // [bytes] of a nine-bar's: texts, worn surfaces, a cycle
+constexpr std::size_t kLineSize = 500;              // [bytes] of a case in the list and in the choice
 
 }  // namespace
 
-ReportPage::ReportPage(std::size_t n_cases) : n_cases_(n_cases) {
+ReportPage::ReportPage(std::size_t n_cases)
+    : n_cases_(n_cases), room_(kPageSize - kSlack - page_script().size() - page_style().size()) {
+  if (n_cases_ > 1) room_ -= kComparisonSize;
   cases_.begin_array();
-  figures_.begin_array();
+  comparisons_.begin_array();
 }
+
+std::size_t ReportPage::find_share() const {
+  const std::size_t n_left = std::max<std::size_t>(1, n_cases_ - std::min(n_cases_, list_.size()));
+  const std::size_t lines = kLineSize * std::min(n_left, kMostListed);
+  const std::size_t room = room_ - std::min(room_, lines);
+  // Many cases get a share that shows something, as many of them as there is room for.
+  return std::min(room, std::max(room / n_left, kLeastCaseSize));
+}
+
+bool ReportPage::has_room() const { return find_share() >= kLeastCaseSize; }
 
 void ReportPage::add_case(const ReportCase& one) {
   if (title_.empty()) title_ = one.mechanism.empty() ? one.run.model_file : one.mechanism;
-  Signals signals(one.run);
-  const double full_cycles = find_full_cycles(one.run, kPageNumbers / n_cases_);
-  const std::vector<Figure> figures = make_case_figures(signals);
-  articles_ += render_article(one, figures);
+  const std::optional<CasePage> page = has_room() ? fit_case(one, find_share(), n_blocks_) : std::nullopt;
+  room_ -= std::min(room_, kLineSize);
+  list_.add(one, page ? page->extent : "only this line");
+  if (!page) return;
+  room_ -= std::min(room_, page->size());
+  ++n_shown_;
+  n_blocks_ = page->blocks.end();
+  articles_ += page->article;
+  blocks_ += page->blocks.html();
+  cases_.add_json(page->data.text());
   choices_ += fmt::format("<option value=\"{0}\">{0}{1}{2}</option>", escape_html(one.run.case_name),
                           one.case_description.empty() ? "" : ": ", escape_html(one.case_description));
-  cases_.begin_object();
-  cases_.put("name", one.run.case_name);
-  cases_.put("full_cycles", full_cycles);
-  if (one.scene) {
-    cases_.key("scene");
-    add_scene(cases_, *one.scene, one.run);
-    cases_.key("motions");
-    add_motions(cases_, blocks_, *one.scene, signals, full_cycles);
-  }
-  cases_.key("figures");
-  cases_.begin_array();
-  for (const Figure& figure : figures) add_figure(cases_, blocks_, figure, full_cycles);
-  cases_.end_array();
-  cases_.end_object();
-  blocks_.forget();
 }
 
 void ReportPage::add_comparisons(const std::vector<CaseComparison>& comparisons) {
-  const std::vector<Figure> figures = make_comparison_figures(comparisons);
-  if (figures.empty()) return;
-  comparisons_ = "<section id=\"comparison\" class=\"comparison\"><h2>Cases side by side</h2>\n" +
-                 make_figure_place("", "comparison") + "</section>\n";
-  for (const Figure& figure : figures) add_figure(figures_, blocks_, figure, kMostFullCycles);
-  blocks_.forget();
+  std::size_t room = kComparisonSize;
+  for (const Figure& figure : make_comparison_figures(comparisons)) {
+    JsonText data;
+    BlockStore blocks(n_blocks_);
+    add_figure(data, blocks, figure, {kMostFullCycles, 0, true});
+    const std::size_t size = data.text().size() + blocks.html().size();
+    if (size > room) {
+      left_out_ += fmt::format("{}“{}”", left_out_.empty() ? "" : ", ", figure.title);
+      continue;
+    }
+    room -= size;
+    comparisons_.add_json(data.text());
+    blocks_ += blocks.html();
+    n_blocks_ = blocks.end();
+  }
+}
+
+std::string ReportPage::render_comparison() const {
+  std::string html = list_.render();
+  const std::size_t n_hidden = list_.size() - n_shown_;
+  if (n_hidden > 0) {
+    html += make_paragraph(fmt::format("The page holds {} of {} cases; the others are in this list only. A report made "
+                                       "of a run file alone shows all of its case.",
+                                       n_shown_, list_.size()),
+                           "warning");
+  }
+  const bool has_figures = !comparisons_.text().ends_with('[');
+  if (has_figures) html += make_figure_place("", "comparison");
+  if (!left_out_.empty()) {
+    html += make_paragraph("No room for " + left_out_ + "; gudgeon plot draws them.", "warning");
+  }
+  if (html.empty()) return {};
+  return "<section id=\"comparison\" class=\"comparison\" data-brief=\"Cases\"><h2>Cases side by side</h2>\n" + html +
+         "</section>\n";
 }
 
 void ReportPage::add_warning(const std::string& text) { warnings_ += make_paragraph(text, "warning"); }
 
 std::string ReportPage::render() const {
   const std::string choice =
-      n_cases_ < 2
+      n_shown_ < 2
           ? std::string{}
           : fmt::format("<label class=\"choice\">Case <select id=\"case-choice\">{}</select></label>", choices_);
   return fmt::format(
@@ -123,8 +118,8 @@ std::string ReportPage::render() const {
       "so.</p></footer>\n"
       "<script type=\"application/json\" id=\"report-data\">{{\"cases\":{6}],\"comparisons\":{7}]}}</script>\n{8}"
       "<script>{9}</script>\n</body>\n</html>\n",
-      escape_html(title_), page_style(), choice, warnings_, articles_, comparisons_, cases_.text(), figures_.text(),
-      blocks_.html(), page_script());
+      escape_html(title_), page_style(), choice, warnings_, articles_, render_comparison(), cases_.text(),
+      comparisons_.text(), blocks_, page_script());
 }
 
 }  // namespace gudgeon

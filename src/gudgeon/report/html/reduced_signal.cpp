@@ -14,7 +14,7 @@ namespace {
 template <class Visit>
 void for_each_span(const SignalCut& cut, Visit visit) {
   const std::size_t n_head = cut.n_samples - std::min(cut.n_full, cut.n_samples);
-  const std::size_t n_spans = std::min(kReducedSpans, n_head);
+  const std::size_t n_spans = std::min(cut.n_spans, n_head);
   for (std::size_t k = 0; k < n_spans; ++k) visit(k * n_head / n_spans, (k + 1) * n_head / n_spans);
 }
 

@@ -9,13 +9,15 @@
 
 namespace gudgeon {
 
-/// Spans that the part before the full samples is cut into; each leaves two values, more than a screen has columns.
+/// Spans that the part before the full samples is cut into where there is room; each leaves two values, more than a
+/// screen has columns.
 inline constexpr std::size_t kReducedSpans = 1000;
 
 /// Where a signal is cut.
 struct SignalCut {
   std::size_t n_samples = 0;  ///< of the signal
   std::size_t n_full = 0;     ///< the last ones, which stay as they are
+  std::size_t n_spans = kReducedSpans;
 };
 
 /// Least and greatest value of each span, in the order they occur, then the full samples. No peak is lost.

@@ -65,4 +65,9 @@ std::string_view find_curve_color(int k) {
   return k <= 0 ? kColors[0] : kColors[1 + static_cast<std::size_t>(k - 1) % (kColors.size() - 1)];
 }
 
+std::string_view find_dashes(LineStyle line) {
+  static constexpr std::array<std::string_view, 4> kDashes{"", "5 5", "1.5 3", "9 3 2 3"};
+  return kDashes[static_cast<std::size_t>(line)];
+}
+
 }  // namespace gudgeon

@@ -27,4 +27,7 @@ std::vector<Vec2> reduce_columns(const std::vector<Vec2>& points, double begin, 
 /// Colour k of a palette that colour-blind readers can tell apart; 0 is the neutral one.
 std::string_view find_curve_color(int k);
 
+/// As SVG has them; empty for a solid line.
+std::string_view find_dashes(LineStyle line);
+
 }  // namespace gudgeon

@@ -46,9 +46,8 @@ void draw_curve(SvgCanvas& canvas, const DrawnCurve& drawn, const PlotFrame& fra
     std::vector<Vec2> places =
         is_sorted ? reduce_columns(piece, frame.x.begin, frame.x.end, 2 * static_cast<int>(frame.size.x)) : piece;
     for (Vec2& point : places) point = frame.place(point);
-    canvas.add_polyline(places, {.stroke = color,
-                                 .width = kind == FigureKind::phase ? 1.0 : 1.4,
-                                 .dashes = curve.dashed ? "5 5" : std::string_view{}});
+    canvas.add_polyline(
+        places, {.stroke = color, .width = kind == FigureKind::phase ? 1.0 : 1.4, .dashes = find_dashes(curve.line)});
   }
 }
 

@@ -65,8 +65,9 @@ std::vector<LegendEntry> lay_out_legend(std::span<const DrawnCurve> curves, doub
   std::vector<LegendEntry> entries;
   Vec2 next{0.0, 0.0};
   for (const DrawnCurve& drawn : curves) {
-    const bool known = !drawn.curve->group.empty() && std::ranges::any_of(entries, [&](const LegendEntry& entry) {
-      return entry.curve->group == drawn.curve->group;
+    const bool known = std::ranges::any_of(entries, [&](const LegendEntry& entry) {
+      return entry.curve->group == drawn.curve->group &&
+             (!drawn.curve->group.empty() || entry.curve->name == drawn.curve->name);
     });
     if (known) continue;
     const double length = kLegendSample + 8.0 + find_text_width(drawn.curve->name, kTickTextSize) + 16.0;
@@ -100,9 +101,8 @@ double draw_legend(SvgCanvas& canvas, std::span<const DrawnCurve> curves, Vec2 c
     if (entry.curve->points) {
       canvas.add_circle(left + Vec2{0.5 * kLegendSample, 0.0}, 3.0, {.fill = color});
     } else {
-      const bool is_reference = entry.curve->group.empty();
       canvas.add_line(left, left + Vec2{kLegendSample, 0.0},
-                      {.stroke = color, .width = 2.0, .dashes = is_reference ? "5 5" : std::string_view{}});
+                      {.stroke = color, .width = 2.0, .dashes = find_dashes(entry.curve->line)});
     }
     canvas.add_text(left + Vec2{kLegendSample + 8.0, 4.5}, entry.name, {.color = kAxisInk, .size = kTickTextSize});
   }
