@@ -39,6 +39,19 @@ StageRecorder::StageRecorder(const System& system)
   sampled_row_.resize(table_.size() - n_watched);
 }
 
+void StageRecorder::stream(std::size_t block_size, std::function<void(const SampleBlock&)> take) {
+  block_size_ = block_size;
+  take_ = std::move(take);
+  time_.reserve(block_size);
+  for (std::vector<double>& values : values_) values.reserve(block_size);
+}
+
+void StageRecorder::hand_over() {
+  take_({"", channels_, time_, values_});
+  time_.clear();
+  for (std::vector<double>& values : values_) values.clear();
+}
+
 StageRecorder::Energies StageRecorder::find_energies(const Workspace& workspace) {
   motion_.update(workspace);
   return {find_kinetic_energy(system_->mechanism, motion_.motions()), find_potential_energy(system_->tables, workspace),
@@ -75,6 +88,7 @@ void StageRecorder::sample(double time, Workspace& workspace, std::span<const Co
     if (!table_[k].watched) sampled_row_[n_sampled++] = value;
   }
   sample_statistics_.update(time, sampled_row_);
+  if (time_.size() == block_size_) hand_over();
 }
 
 void StageRecorder::watch(double time, const Workspace& workspace, std::span<const GapState> gaps) {
