@@ -13,6 +13,7 @@
 #include "gudgeon/model/study.h"
 #include "gudgeon/results/run_record.h"
 #include "gudgeon/results/sample_block.h"
+#include "gudgeon/sim/stage_recorder.h"
 
 namespace gudgeon {
 
@@ -24,9 +25,6 @@ struct Progress {
   double fraction = 0.0;  ///< of the stage's time
 };
 
-/// Samples of a block: some MB of a hundred channels, and enough for a disk and for compression.
-inline constexpr std::size_t kSamplesPerBlock = 4096;
-
 /// What a caller may hang into a run. Callbacks come from the thread that runs the case.
 struct RunHooks {
   std::stop_token stop;                                    ///< stops at the next accepted step
@@ -36,7 +34,7 @@ struct RunHooks {
   /// Takes the samples of a stage block by block, in order; those after the last full block come with stage_finished,
   /// and no record that stays in memory has any. Without it, records keep them all.
   std::function<void(const SampleBlock&)> samples;
-  std::size_t samples_per_block = kSamplesPerBlock;
+  std::size_t samples_per_block = kSamplesPerBlock;  ///< or fewer, where a sample is large
 };
 
 /// Runs every stage of the study. Each stage is handed to hooks.stage_finished as soon as it ends and is also

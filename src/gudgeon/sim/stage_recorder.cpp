@@ -11,6 +11,9 @@ namespace gudgeon {
 
 namespace {
 
+constexpr std::size_t kLargestBlock = 32u << 20;  // [bytes] little beside what a program takes anyway
+constexpr std::size_t kFewestSamples = 256;       // fewer would be mostly the disk's and compression's overhead
+
 std::vector<std::string> select_names(const std::vector<RecordedChannel>& table, bool watched) {
   std::vector<std::string> names;
   for (const RecordedChannel& entry : table) {
@@ -40,10 +43,10 @@ StageRecorder::StageRecorder(const System& system)
 }
 
 void StageRecorder::stream(std::size_t block_size, std::function<void(const SampleBlock&)> take) {
-  block_size_ = block_size;
+  block_size_ = std::min(block_size, std::max(kFewestSamples, kLargestBlock / (sizeof(double) * table_.size())));
   take_ = std::move(take);
-  time_.reserve(block_size);
-  for (std::vector<double>& values : values_) values.reserve(block_size);
+  time_.reserve(block_size_);
+  for (std::vector<double>& values : values_) values.reserve(block_size_);
 }
 
 void StageRecorder::hand_over() {

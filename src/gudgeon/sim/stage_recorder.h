@@ -15,6 +15,9 @@
 
 namespace gudgeon {
 
+/// Samples of a block: enough that compression does not notice its ends, some 20 MB of a hundred channels.
+inline constexpr std::size_t kSamplesPerBlock = 16384;
+
 class StageRecorder {
  public:
   explicit StageRecorder(const System& system);
@@ -30,8 +33,8 @@ class StageRecorder {
   };
   Energies find_energies(const Workspace& workspace);
 
-  /// Hands over every so many samples as soon as they are there, instead of keeping them until the end. Nothing is
-  /// allocated between two blocks.
+  /// Hands over every so many samples as soon as they are there, instead of keeping them until the end; fewer where a
+  /// block would take more than some 30 MB. Nothing is allocated between two blocks.
   void stream(std::size_t block_size, std::function<void(const SampleBlock&)> take);
 
   /// Appends one sample of all channels; initial_energy [J] is that of the stage's start, integrals those carried
