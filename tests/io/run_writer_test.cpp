@@ -157,6 +157,17 @@ TEST(RunWriter, BlocksBeginOverTheLeftoverOfAKilledWriter) {
   EXPECT_LT(std::filesystem::file_size(scratch / "x.h5"), 1u << 20);
 }
 
+TEST(RunWriter, AFileHasOneWriterAtATime) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  RunWriter writer(scratch / "x.h5", run, false);
+  const StageRecord rest = append_in_blocks(writer, run.stages[0], 50);
+  EXPECT_THAT(find_message<FileError>([&] { RunWriter(scratch / "x.h5", run, true); }),
+              HasSubstr("x.h5.partial: another run is writing it; wait"));
+  writer.append(rest);
+  EXPECT_EQ(read_run(scratch / "x.h5").stages.at(0).values, run.stages[0].values);
+}
+
 TEST(RunWriter, TakesOverNamedStages) {
   const ScratchDirectory scratch;
   const RunRecord run = make_run();

@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -45,6 +46,33 @@ std::string_view find_next_step(int why) {
   throw FileError(fmt::format("{}: {}: {}; {}", file.string(), what, std::strerror(why), find_next_step(why)));
 }
 
+bool is_same_file(int descriptor, const std::filesystem::path& path) {
+  struct stat opened {};
+  struct stat there {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &there) == 0 && opened.st_ino == there.st_ino &&
+         opened.st_dev == there.st_dev;
+}
+
+/// Opens the path empty for this process alone: two writers would mix their bytes. A lock ends with its process.
+int open_alone(const std::filesystem::path& path) {
+  while (true) {
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0) fail(path, "cannot be created", errno);
+    // Where a disk knows no locks, all goes on without.
+    const bool is_taken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    // Who held the lock may have put the file in place meanwhile: then it is not ours to empty.
+    const bool is_ours = !is_taken && is_same_file(descriptor, path);
+    const int why = is_ours && ::ftruncate(descriptor, 0) != 0 ? errno : 0;
+    if (is_ours && (why == 0 || why == EINVAL)) return descriptor;  // EINVAL: a device that has no length
+    ::close(descriptor);
+    if (is_ours) fail(path, "cannot be created", why);
+    if (is_taken) {
+      throw FileError(
+          fmt::format("{}: another run is writing it; wait for its end or choose another place", path.string()));
+    }
+  }
+}
+
 constexpr std::size_t kCopyPiece = 1u << 18;  // [bytes] large enough that calls cost nothing beside the disk
 
 }  // namespace
@@ -56,11 +84,7 @@ std::filesystem::path find_partial(const std::filesystem::path& file) {
 }
 
 PartialFile::PartialFile(std::filesystem::path file)
-    : file_(std::move(file)),
-      path_(find_partial(file_)),
-      descriptor_(::open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
-  if (descriptor_ < 0) fail(path_, "cannot be created", errno);
-}
+    : file_(std::move(file)), path_(find_partial(file_)), descriptor_(open_alone(path_)) {}
 
 PartialFile::~PartialFile() {
   if (descriptor_ < 0) return;

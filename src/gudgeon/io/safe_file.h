@@ -17,7 +17,8 @@ std::filesystem::path find_partial(const std::filesystem::path& file);
 /// The next version of a file, growing beside it. It goes with this object unless it was put in place.
 class PartialFile {
  public:
-  /// Makes it empty, over what a kill may have left there; FileError when it cannot be made.
+  /// Makes it empty, over what a kill may have left there; FileError when it cannot be made, or grows under another
+  /// writer's hands.
   explicit PartialFile(std::filesystem::path file);
   PartialFile(const PartialFile&) = delete;
   PartialFile& operator=(const PartialFile&) = delete;
