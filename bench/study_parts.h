@@ -17,7 +17,7 @@ void measure_recording(int cycles);
 void measure_share(int cycles);
 /// Bristles of 1e5 1/m against the steady law.
 void measure_bristles(int cycles);
-/// Peak memory of a stage at several output rates, each in a process of its own.
+/// Peak memory of a stage that is written to a run file, at several output rates, each in a process of its own.
 void measure_memory(int cycles);
 
 }  // namespace gudgeon::bench

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -94,6 +95,29 @@ TEST(RunCommand, ChannelsDoNotDependOnThreads) {
     const std::string one = read_text(folder.path() / "csv_1" / file);
     EXPECT_FALSE(one.empty()) << file;
     EXPECT_TRUE(one == read_text(folder.path() / "csv_2" / file)) << file;
+  }
+}
+
+std::size_t count_lines(const std::string& text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
+
+// 16384 samples are a block: a stage of less is written in one piece, one of more in several.
+TEST(RunCommand, EverySampleIsInTheFileInHoweverManyBlocksItCame) {
+  const TemporaryFolder folder;
+  for (const std::string rate : {"1000", "40000"}) {
+    const Outcome outcome = run_program(folder, {"run", find_slider_crank(), "--quiet", "-o", rate, "--set",
+                                                 "study.cycles=1", "--set", "study.outputs_per_cycle=" + rate});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / rate / "base.h5.partial"));
+    ASSERT_EQ(run_program(folder, {"export", rate + "/base.h5", "-o", "csv_" + rate}).exit_code, 0);
+  }
+  const auto read = [&](const std::string& file) { return read_text(folder.path() / file); };
+  for (const std::string stage : {"no_wear", "wear_1"}) {
+    const std::size_t n_few = count_lines(read("csv_1000/" + stage + "_channels.csv"));
+    const std::size_t n_many = count_lines(read("csv_40000/" + stage + "_channels.csv"));
+    EXPECT_GT(n_few, 1000U);
+    EXPECT_EQ(n_many - n_few, 39000U) << stage;
+    // What a run finds does not depend on what it records.
+    EXPECT_TRUE(read("csv_1000/" + stage + "_wear.csv") == read("csv_40000/" + stage + "_wear.csv")) << stage;
   }
 }
 

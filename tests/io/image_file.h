@@ -15,10 +15,9 @@ namespace gudgeon::test {
 
 inline void write_image(const std::filesystem::path& file, const std::function<void(const Hdf5Handle& root)>& fill) {
   const Hdf5Session session;
-  Hdf5Image image;
-  fill(open_root(image.file()));
-  image.finish();
-  write_whole(file, image.bytes());
+  PartialFile partial(file);
+  change_inside(partial, fill);
+  partial.put_in_place();
 }
 
 }  // namespace gudgeon::test

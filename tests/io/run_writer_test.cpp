@@ -11,7 +11,11 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <span>
+#include <string>
 #include <thread>
+#include <tuple>
+#include <vector>
 
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/run_reader.h"
@@ -87,30 +91,156 @@ TEST(RunWriter, LeftoverOfAKilledWriterDoesNoHarm) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "x.h5.partial"));
 }
 
+/// A stage as it comes in blocks of so many samples: what is left for its end.
+StageRecord append_in_blocks(RunWriter& writer, const StageRecord& stage, std::size_t size) {
+  StageRecord rest = stage;
+  while (rest.time.size() >= size) {
+    SampleBlock block{stage.name, stage.channels, std::span(rest.time).first(size), {}};
+    std::vector<std::vector<double>> values;
+    for (std::vector<double>& of : rest.values) {
+      values.emplace_back(of.begin(), of.begin() + static_cast<std::ptrdiff_t>(size));
+      of.erase(of.begin(), of.begin() + static_cast<std::ptrdiff_t>(size));
+    }
+    block.values = values;
+    writer.append(block);
+    rest.time.erase(rest.time.begin(), rest.time.begin() + static_cast<std::ptrdiff_t>(size));
+  }
+  return rest;
+}
+
+TEST(RunWriter, BlocksGiveTheSameAsOnePiece) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  // One sample, a few, a divisor's neighbours, all but one, all.
+  for (const std::size_t size : {1u, 7u, 100u, 200u, 201u}) {
+    RunWriter writer(scratch / "x.h5", run, true);
+    for (const StageRecord& stage : run.stages) writer.append(append_in_blocks(writer, stage, size));
+    const RunRecord back = read_run(scratch / "x.h5");
+    ASSERT_EQ(back.stages.size(), run.stages.size());
+    for (std::size_t s = 0; s < run.stages.size(); ++s) {
+      EXPECT_EQ(back.stages[s].name, run.stages[s].name);
+      EXPECT_EQ(back.stages[s].time, run.stages[s].time) << size;
+      EXPECT_EQ(back.stages[s].values, run.stages[s].values) << size;
+      EXPECT_EQ(back.stages[s].end_time, run.stages[s].end_time);
+      EXPECT_EQ(back.stages[s].statistics.size(), run.stages[s].statistics.size());
+      EXPECT_EQ(back.stages[s].wear.size(), run.stages[s].wear.size());
+      ASSERT_EQ(back.stages[s].channels.size(), run.stages[s].channels.size());
+      for (std::size_t k = 0; k < run.stages[s].channels.size(); ++k) {
+        EXPECT_EQ(back.stages[s].channels[k].name, run.stages[s].channels[k].name);
+        EXPECT_EQ(back.stages[s].channels[k].unit, run.stages[s].channels[k].unit);
+      }
+    }
+  }
+}
+
+TEST(RunWriter, AStageUnderWayIsNotInTheFile) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  {
+    RunWriter writer(scratch / "x.h5", run, false);
+    writer.append(run.stages[0]);
+    append_in_blocks(writer, run.stages[1], 100);
+    EXPECT_TRUE(std::filesystem::exists(scratch / "x.h5.partial"));
+    EXPECT_EQ(read_run(scratch / "x.h5").stages.size(), 1u);
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch / "x.h5.partial"));
+  EXPECT_EQ(read_run(scratch / "x.h5").stages.size(), 1u);
+}
+
+TEST(RunWriter, BlocksBeginOverTheLeftoverOfAKilledWriter) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  RunWriter writer(scratch / "x.h5", run, false);
+  test::write_text_file(scratch / "x.h5.partial", std::string(1u << 20, 'x'));
+  writer.append(append_in_blocks(writer, run.stages[0], 50));
+  EXPECT_EQ(read_run(scratch / "x.h5").stages.at(0).values, run.stages[0].values);
+  EXPECT_LT(std::filesystem::file_size(scratch / "x.h5"), 1u << 20);
+}
+
+TEST(RunWriter, AFileHasOneWriterAtATime) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  RunWriter writer(scratch / "x.h5", run, false);
+  const StageRecord rest = append_in_blocks(writer, run.stages[0], 50);
+  EXPECT_THAT(find_message<FileError>([&] { RunWriter(scratch / "x.h5", run, true); }),
+              HasSubstr("x.h5.partial: another run is writing it; wait"));
+  writer.append(rest);
+  EXPECT_EQ(read_run(scratch / "x.h5").stages.at(0).values, run.stages[0].values);
+}
+
+TEST(RunWriter, TakesOverNamedStages) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  {
+    RunWriter writer(scratch / "x.h5", run, false);
+    writer.append(append_in_blocks(writer, run.stages[0], 50));
+    for (const std::size_t k : {1u, 2u}) writer.append(run.stages[k]);
+  }
+  const std::vector<std::string> kept{run.stages[0].name, run.stages[1].name};
+  RunWriter writer(scratch / "x.h5", run, true, kept);
+  const RunRecord back = read_run(scratch / "x.h5");
+  ASSERT_EQ(back.stages.size(), 2u);
+  for (std::size_t s = 0; s < 2; ++s) {
+    EXPECT_EQ(back.stages[s].name, run.stages[s].name);
+    EXPECT_EQ(back.stages[s].time, run.stages[s].time);
+    EXPECT_EQ(back.stages[s].values, run.stages[s].values);
+  }
+  writer.append(run.stages[2]);
+  EXPECT_EQ(read_run(scratch / "x.h5").stages.at(2).values, run.stages[2].values);
+  const std::vector<std::string> unknown{"wear_9"};
+  EXPECT_THAT(find_message<FileError>([&] { RunWriter(scratch / "x.h5", run, true, unknown); }),
+              HasSubstr("its stages cannot be taken over"));
+  EXPECT_EQ(read_run(scratch / "x.h5").stages.size(), 3u);
+}
+
 /// In a process of its own whose files may not grow past the limit, as on a full disk.
-std::string append_with_little_room(const std::filesystem::path& file, const RunRecord& run, rlim_t room) {
+/// The exit code is 0 when the writer tells so, and when HDF5 is well afterwards.
+int append_with_little_room(const std::filesystem::path& file, const RunRecord& run, int room, std::size_t block) {
   std::signal(SIGXFSZ, SIG_IGN);
   RunWriter writer(file, run, false);
   writer.append(run.stages[0]);
-  const rlimit limit{room, room};
+  const rlimit limit{static_cast<rlim_t>(static_cast<int>(std::filesystem::file_size(file)) + room), RLIM_INFINITY};
   setrlimit(RLIMIT_FSIZE, &limit);
-  return find_message<FileError>([&] { writer.append(run.stages[1]); });
+  const std::string message = find_message<FileError>([&] {
+    for (int k = 0; k < 1000; ++k) {
+      StageRecord stage = run.stages[1];
+      stage.name += std::to_string(k);
+      writer.append(append_in_blocks(writer, stage, block));
+    }
+  });
+  const std::string wanted = file.string() + ": cannot be written: File too large; make room";
+  if (message.find(wanted) == std::string::npos) return 1;
+  if (std::filesystem::exists(file.string() + ".partial")) return 2;
+  const rlimit no_limit{RLIM_INFINITY, RLIM_INFINITY};
+  setrlimit(RLIMIT_FSIZE, &no_limit);
+  writer.append(run.stages[2]);
+  return 0;
 }
 
-TEST(RunWriter, FullDiskKeepsEarlierStages) {
+/// Room in bytes beyond a file with one stage, and the samples of a block.
+class FullDisk : public testing::TestWithParam<std::tuple<int, std::size_t>> {};
+
+TEST_P(FullDisk, KeepsEarlierStages) {
   const ScratchDirectory scratch;
+  const auto [room, block] = GetParam();
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);
-  if (child == 0) {
-    const std::string message = append_with_little_room(scratch / "x.h5", make_run(), 4096);
-    ::_exit(message.find("cannot be written: File too large; make room") == std::string::npos ? 1 : 0);
-  }
+  if (child == 0) ::_exit(append_with_little_room(scratch / "x.h5", make_run(), room, block));
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
-  EXPECT_EQ(read_run(scratch / "x.h5").stages.size(), 1u);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  const RunRecord back = read_run(scratch / "x.h5");
+  EXPECT_EQ(back.stages.front().values, make_run().stages[0].values);
+  EXPECT_EQ(back.stages.back().values, make_run().stages[2].values);
   EXPECT_FALSE(std::filesystem::exists(scratch / "x.h5.partial"));
 }
+
+// In one piece and in blocks; full within the copy, at once, within the metadata of a stage, within its samples, stages
+// later.
+INSTANTIATE_TEST_SUITE_P(RunWriter, FullDisk,
+                         testing::Combine(testing::Values(-1, 0, 100, 3000, 10000, 20000, 100000),
+                                          testing::Values<std::size_t>(1000, 100, 10)));
 
 TEST(RunWriter, WritingToAFullDeviceIsAnError) {
   const ScratchDirectory scratch;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 
 #include "gudgeon/base/diagnostics.h"
@@ -125,6 +126,50 @@ TEST(RunStudy, GoesOnAfterFinishedStages) {
   EXPECT_THAT(run_again, ElementsAre("wear_1"));
   ASSERT_EQ(find_names(rest), find_names(whole));
   for (std::size_t s = 0; s < whole.size(); ++s) EXPECT_EQ(rest[s].values, whole[s].values) << s;
+}
+
+void add_samples(StageRecord& stage, std::span<const double> time, std::span<const std::vector<double>> values) {
+  stage.values.resize(values.size());
+  stage.time.insert(stage.time.end(), time.begin(), time.end());
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    stage.values[k].insert(stage.values[k].end(), values[k].begin(), values[k].end());
+  }
+}
+
+// One sample a block, some, all but the last, exactly all, more than there are.
+TEST(RunStudy, BlocksJoinedAreTheSamplesThatAreKept) {
+  const Study study = make_study(1);
+  const auto whole = run_study(oracle::make_nine_bar(), study);
+  const std::size_t n_samples = whole[0].time.size();
+  for (const std::size_t size : {std::size_t{1}, std::size_t{5}, n_samples - 1, n_samples, n_samples + 1}) {
+    std::vector<StageRecord> joined;
+    bool is_under_way = false;
+    RunHooks hooks;
+    hooks.samples_per_block = size;
+    hooks.samples = [&](const SampleBlock& block) {
+      if (!is_under_way) joined.emplace_back().name = block.stage;
+      is_under_way = true;
+      EXPECT_EQ(block.stage, joined.back().name);
+      EXPECT_EQ(block.channels.size(), whole[0].channels.size());
+      EXPECT_EQ(block.time.size(), size);
+      add_samples(joined.back(), block.time, block.values);
+    };
+    hooks.stage_finished = [&](const StageRecord& stage) {
+      if (!is_under_way) joined.emplace_back().name = stage.name;
+      is_under_way = false;
+      EXPECT_LT(stage.time.size(), size);
+      add_samples(joined.back(), stage.time, stage.values);
+    };
+    const auto left = run_study(oracle::make_nine_bar(), study, hooks);
+    ASSERT_EQ(find_names(joined), find_names(whole));
+    for (std::size_t s = 0; s < whole.size(); ++s) {
+      EXPECT_EQ(joined[s].time, whole[s].time) << size;
+      EXPECT_EQ(joined[s].values, whole[s].values) << size;
+      EXPECT_EQ(left[s].statistics[0].rms, whole[s].statistics[0].rms);
+      EXPECT_TRUE(left[s].time.empty());
+      EXPECT_EQ(left[s].values, std::vector<std::vector<double>>(whole[s].channels.size()));
+    }
+  }
 }
 
 TEST(RunStudy, AWornThroughJournalEndsTheRunBeforeItsStage) {

@@ -42,10 +42,11 @@ void update_outcome(CaseRun& one, const StageRecord& stage) {
   one.message = fmt::format("stage {}: {}", stage.name, stage.message);
 }
 
-/// The stages that the case's file holds as finished; FileError when it is not of this model and program.
+/// The stages that the case's file holds as finished, without their samples; FileError when it is not of this model and
+/// program.
 std::vector<StageRecord> read_finished_stages(const CaseRun& one, const RunRecord& header) {
   if (!std::filesystem::exists(one.file)) return {};
-  RunRecord earlier = read_run(one.file);
+  RunRecord earlier = read_run_outline(one.file);
   if (earlier.explained != header.explained || earlier.program_version != header.program_version) {
     throw FileError(
         fmt::format("{} cannot be resumed: it was made from another model or by another version; "
@@ -63,7 +64,9 @@ void run_stages(CaseRun& one, int index, Existing existing, const std::stop_toke
   const RunRecord header = make_header(one);
   std::vector<StageRecord> finished;
   if (existing == Existing::resume) finished = read_finished_stages(one, header);
-  RunWriter writer(one.file, header, existing != Existing::refuse, finished);
+  std::vector<std::string> kept;
+  for (const StageRecord& stage : finished) kept.push_back(stage.name);
+  RunWriter writer(one.file, header, existing != Existing::refuse, kept);
   one.is_written = true;
   RunHooks hooks;
   hooks.stop = stop;
@@ -71,6 +74,7 @@ void run_stages(CaseRun& one, int index, Existing existing, const std::stop_toke
     display.update(index, progress);
     turns.pass(index, find_share(progress));
   };
+  hooks.samples = [&](const SampleBlock& block) { writer.append(block); };
   hooks.stage_finished = [&](const StageRecord& stage) {
     writer.append(stage);
     update_outcome(one, stage);

@@ -23,6 +23,12 @@ Hdf5Id make_dataset(const Hdf5Handle& parent, const std::string& name, Hdf5Id ty
   return H5Dcreate2(parent.id(), name.c_str(), type, space.id(), H5P_DEFAULT, storage.id(), H5P_DEFAULT);
 }
 
+void compress(const Hdf5Handle& storage, hsize_t chunk_rows) {
+  check_status(H5Pset_chunk(storage.id(), 1, &chunk_rows), "cannot set", "chunks");
+  check_status(H5Pset_shuffle(storage.id()), "cannot set", "shuffle");
+  check_status(H5Pset_deflate(storage.id(), kDeflateLevel), "cannot set", "deflate");
+}
+
 }  // namespace
 
 Hdf5Handle make_text_type(std::size_t size) {
@@ -35,11 +41,7 @@ Hdf5Handle make_text_type(std::size_t size) {
 
 Hdf5Handle make_storage(std::size_t n_rows) {
   Hdf5Handle storage = check_id(H5Pcreate(H5P_DATASET_CREATE), "cannot make", "dataset storage");
-  if (n_rows < kRowsToCompress) return storage;
-  const hsize_t chunk = std::min(n_rows, kChunkRows);
-  check_status(H5Pset_chunk(storage.id(), 1, &chunk), "cannot set", "chunks");
-  check_status(H5Pset_shuffle(storage.id()), "cannot set", "shuffle");
-  check_status(H5Pset_deflate(storage.id(), kDeflateLevel), "cannot set", "deflate");
+  if (n_rows >= kRowsToCompress) compress(storage, std::min(n_rows, kChunkRows));
   return storage;
 }
 
@@ -87,6 +89,31 @@ Hdf5Handle write_series(const Hdf5Handle& parent, const std::string& name, std::
   check_status(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
                "cannot write dataset", name);
   return dataset;
+}
+
+Hdf5Handle make_growing_series(const Hdf5Handle& parent, const std::string& name, std::size_t chunk_rows) {
+  const hsize_t n_rows = 0;
+  const hsize_t no_limit = H5S_UNLIMITED;
+  const Hdf5Handle space = check_id(H5Screate_simple(1, &n_rows, &no_limit), "cannot make a series for", name);
+  const Hdf5Handle storage = check_id(H5Pcreate(H5P_DATASET_CREATE), "cannot make", "dataset storage");
+  compress(storage, std::min(chunk_rows, kChunkRows));
+  check_name(name);
+  return check_id(make_dataset(parent, name, H5T_IEEE_F64LE, space, storage), "cannot make dataset", name);
+}
+
+void extend_series(const Hdf5Handle& parent, const std::string& name, std::span<const double> values) {
+  if (values.empty()) return;
+  const Hdf5Handle dataset = open_dataset(parent, name);
+  const hsize_t n_before = find_row_count(dataset, name);
+  const hsize_t n_added = values.size();
+  const hsize_t n_after = n_before + n_added;
+  check_status(H5Dset_extent(dataset.id(), &n_after), "cannot extend dataset", name);
+  const Hdf5Handle rows = check_id(H5Screate_simple(1, &n_added, nullptr), "cannot make rows for", name);
+  const Hdf5Handle space = check_id(H5Dget_space(dataset.id()), "cannot measure dataset", name);
+  check_status(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &n_before, nullptr, &n_added, nullptr),
+               "cannot select rows of dataset", name);
+  check_status(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, rows.id(), space.id(), H5P_DEFAULT, values.data()),
+               "cannot write dataset", name);
 }
 
 std::vector<double> read_series(const Hdf5Handle& parent, const std::string& name) {

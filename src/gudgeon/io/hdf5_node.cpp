@@ -73,6 +73,11 @@ void make_soft_link(const Hdf5Handle& parent, const std::string& name, const std
                name);
 }
 
+void copy_group(const Hdf5Handle& from, const std::string& name, const Hdf5Handle& to) {
+  check_status(H5Ocopy(from.id(), name.c_str(), to.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "cannot copy group",
+               name);
+}
+
 bool has_link(const Hdf5Handle& parent, const std::string& name) {
   return H5Lexists(parent.id(), name.c_str(), H5P_DEFAULT) > 0;
 }

@@ -43,7 +43,14 @@ std::string read_text(const Hdf5Handle& parent, const std::string& name);
 
 /// A 1-D dataset of doubles, chunked and compressed without loss; returned open for its attributes.
 Hdf5Handle write_series(const Hdf5Handle& parent, const std::string& name, std::span<const double> values);
+/// The same, but growing: empty, in chunks of so many rows. Writing each chunk in one piece is fastest.
+Hdf5Handle make_growing_series(const Hdf5Handle& parent, const std::string& name, std::size_t chunk_rows);
+/// Adds to a growing series.
+void extend_series(const Hdf5Handle& parent, const std::string& name, std::span<const double> values);
 std::vector<double> read_series(const Hdf5Handle& parent, const std::string& name);
+
+/// Copies a group with all that is in it from another file.
+void copy_group(const Hdf5Handle& from, const std::string& name, const Hdf5Handle& to);
 
 /// Creation properties of a 1-D dataset of so many rows: chunks, shuffle and deflate where they pay.
 Hdf5Handle make_storage(std::size_t n_rows);

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Root of a run file; stages are added to an image in memory, which then replaces the file as a whole.
+// Root of a run file; stages are added to a copy on disk, which then replaces the file as a whole.
 #include "gudgeon/io/run_writer.h"
 
 #include <fmt/format.h>
 
-#include <cstddef>
+#include <functional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,8 +23,7 @@ namespace gudgeon {
 
 namespace {
 
-void write_header(const Hdf5Handle& file, const RunRecord& header) {
-  const Hdf5Handle root = open_root(file);
+void write_header(const Hdf5Handle& root, const RunRecord& header) {
   write_text_attribute(root, "format", kRunFormat);
   write_count_attribute(root, "format_version", kRunFormatVersion);
   write_text_attribute(root, "program_version", header.program_version);
@@ -48,52 +48,75 @@ void write_failure(const Hdf5Handle& root, const StageRecord& stage) {
   make_soft_link(failure, "stage", "/stages/" + stage.name);
 }
 
-void add_stage(const Hdf5Handle& file, const StageRecord& stage) {
-  const Hdf5Handle root = open_root(file);
-  const Hdf5Handle stages = open_group(root, "stages");
-  if (has_link(stages, stage.name)) throw FileError("a stage of that name is there already");
-  write_stage(stages, stage, static_cast<std::int64_t>(find_children(stages).size()));
-  if (stage.status == StageStatus::failed) write_failure(root, stage);
-}
-
-Hdf5Image make_first_image(const RunRecord& header, std::span<const StageRecord> stages) {
-  const Hdf5Session session;
-  Hdf5Image image;
-  write_header(image.file(), header);
-  for (const StageRecord& stage : stages) add_stage(image.file(), stage);
-  image.finish();
-  return image;
-}
-
-/// The file's bytes with a stage more.
-Hdf5Image make_next_image(const std::vector<std::byte>& old_bytes, const StageRecord& stage) {
-  const Hdf5Session session;
-  Hdf5Image image(old_bytes);
-  add_stage(image.file(), stage);
-  image.finish();
-  return image;
-}
-
-/// The same, with the file's path in what goes wrong.
-Hdf5Image make_next_image(const std::filesystem::path& file, const StageRecord& stage) {
-  const std::vector<std::byte> old_bytes = read_whole(file);
+void copy_stages(const std::filesystem::path& file, std::span<const std::string> names, const Hdf5Handle& root) {
+  if (names.empty()) return;
   try {
-    return make_next_image(old_bytes, stage);
+    const Hdf5Handle from = open_group(open_root(open_file(file)), "stages");
+    const Hdf5Handle to = open_group(root, "stages");
+    for (const std::string& name : names) copy_group(from, name, to);
   } catch (const FileError& error) {
-    throw FileError(fmt::format("{}: stage '{}' cannot be added: {}; earlier stages are kept", file.string(),
-                                stage.name, error.what()));
+    throw FileError(
+        fmt::format("{}: its stages cannot be taken over: {}; it is as it was", file.string(), error.what()));
   }
+}
+
+/// Changes the stages of the partial file, and tells of which stage the trouble is.
+void change_stages(const PartialFile& partial, std::string_view stage,
+                   const std::function<void(const Hdf5Handle& root, const Hdf5Handle& stages)>& change) {
+  const Hdf5Session session;
+  change_inside(partial, [&](const Hdf5Handle& root) {
+    try {
+      change(root, open_group(root, "stages"));
+    } catch (const FileError& error) {
+      throw FileError(fmt::format("{}: stage '{}' cannot be added: {}; earlier stages are kept",
+                                  partial.file().string(), stage, error.what()));
+    }
+  });
+}
+
+std::unique_ptr<PartialFile> copy_to_partial(const std::filesystem::path& file) {
+  auto partial = std::make_unique<PartialFile>(file);
+  partial->write_old_version();
+  return partial;
 }
 
 }  // namespace
 
 RunWriter::RunWriter(std::filesystem::path file, const RunRecord& header, bool overwrite,
-                     std::span<const StageRecord> stages)
+                     std::span<const std::string> kept)
     : file_(std::move(file)) {
   check_target(file_, overwrite);
-  write_whole(file_, make_first_image(header, stages).bytes());
+  PartialFile partial(file_);
+  {
+    const Hdf5Session session;
+    change_inside(partial, [&](const Hdf5Handle& root) {
+      write_header(root, header);
+      copy_stages(file_, kept, root);
+    });
+  }
+  partial.put_in_place();
 }
 
-void RunWriter::append(const StageRecord& stage) { write_whole(file_, make_next_image(file_, stage).bytes()); }
+void RunWriter::append(const SampleBlock& block) {
+  // Held here while it changes: an error takes it away.
+  std::unique_ptr<PartialFile> partial = std::move(partial_);
+  const bool is_first = partial == nullptr;
+  if (is_first) partial = copy_to_partial(file_);
+  change_stages(*partial, block.stage, [&](const Hdf5Handle&, const Hdf5Handle& stages) {
+    is_first ? begin_stage(stages, block) : extend_stage(stages, block);
+  });
+  partial_ = std::move(partial);
+}
+
+void RunWriter::append(const StageRecord& stage) {
+  std::unique_ptr<PartialFile> partial = std::move(partial_);
+  const bool is_whole = partial == nullptr;
+  if (is_whole) partial = copy_to_partial(file_);
+  change_stages(*partial, stage.name, [&](const Hdf5Handle& root, const Hdf5Handle& stages) {
+    is_whole ? write_stage(stages, stage) : end_stage(stages, stage);
+    if (stage.status == StageStatus::failed) write_failure(root, stage);
+  });
+  partial->put_in_place();
+}
 
 }  // namespace gudgeon

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
 #include <string>
 
 #include "gudgeon/base/diagnostics.h"
@@ -32,20 +34,35 @@ const char* find_status_name(StageStatus status) {
   return std::ranges::find(kStatusNames, status, &StatusName::status)->name;
 }
 
-void write_channels(const Hdf5Handle& node, const StageRecord& stage) {
-  if (stage.values.size() != stage.channels.size()) {
-    throw FileError(fmt::format("stage has {} channels but values of {}", stage.channels.size(), stage.values.size()));
-  }
-  write_text_attribute(write_series(node, "time", stage.time), "unit", "s");
+void check_size(const SampleBlock& block) {
+  if (block.values.size() == block.channels.size()) return;
+  throw FileError(fmt::format("stage has {} channels but values of {}", block.channels.size(), block.values.size()));
+}
+
+/// time and channels, each series made by make(parent, name, its samples).
+template <class Make>
+void make_channels(const Hdf5Handle& node, const SampleBlock& block, Make make) {
+  check_size(block);
+  write_text_attribute(make(node, "time", block.time), "unit", "s");
   const Hdf5Handle group = make_group(node, "channels");
-  for (std::size_t k = 0; k < stage.channels.size(); ++k) {
-    const Channel& channel = stage.channels[k];
-    const Hdf5Handle dataset = write_series(group, channel.name, stage.values[k]);
+  for (std::size_t k = 0; k < block.channels.size(); ++k) {
+    const Channel& channel = block.channels[k];
+    const Hdf5Handle dataset = make(group, channel.name, std::span<const double>(block.values[k]));
     write_count_attribute(dataset, "order", static_cast<std::int64_t>(k));
     write_text_attribute(dataset, "unit", channel.unit);
     write_text_attribute(dataset, "symbol", channel.symbol);
     write_text_attribute(dataset, "description", channel.description);
   }
+}
+
+SampleBlock find_samples(const StageRecord& stage) { return {stage.name, stage.channels, stage.time, stage.values}; }
+
+Hdf5Handle make_stage_group(const Hdf5Handle& stages, const std::string& name) {
+  if (has_link(stages, name)) throw FileError("a stage of that name is there already");
+  const std::size_t order = find_children(stages).size();
+  Hdf5Handle node = make_group(stages, name);
+  write_count_attribute(node, "order", static_cast<std::int64_t>(order));
+  return node;
 }
 
 void write_statistics(const Hdf5Handle& node, const StageRecord& stage) {
@@ -83,21 +100,49 @@ void write_solver(const Hdf5Handle& node, const SolverStatistics& solver) {
   write_reals(group, solver, kSolverReals);
 }
 
-}  // namespace
-
-void write_stage(const Hdf5Handle& stages, const StageRecord& stage, std::int64_t order) {
-  const Hdf5Handle node = make_group(stages, stage.name);
-  write_count_attribute(node, "order", order);
+/// Everything but the samples.
+void write_findings(const Hdf5Handle& node, const StageRecord& stage) {
   write_text_attribute(node, "status", find_status_name(stage.status));
   write_text_attribute(node, "message", stage.message);
   write_count_attribute(node, "cycles", stage.cycles);
   write_reals(node, stage, kStageReals);
-  write_channels(node, stage);
   write_statistics(node, stage);
   write_table(node, "events", kEventShape, stage.events.data(), stage.events.size());
   write_wear(node, stage);
   write_energy(node, stage.ledger);
   write_solver(node, stage.solver);
+}
+
+}  // namespace
+
+void write_stage(const Hdf5Handle& stages, const StageRecord& stage) {
+  const Hdf5Handle node = make_stage_group(stages, stage.name);
+  make_channels(node, find_samples(stage), write_series);
+  write_findings(node, stage);
+}
+
+void begin_stage(const Hdf5Handle& stages, const SampleBlock& block) {
+  const Hdf5Handle node = make_stage_group(stages, std::string(block.stage));
+  const auto make = [&](const Hdf5Handle& parent, const std::string& name, std::span<const double>) {
+    return make_growing_series(parent, name, block.time.size());
+  };
+  make_channels(node, block, make);
+  extend_stage(stages, block);
+}
+
+void extend_stage(const Hdf5Handle& stages, const SampleBlock& block) {
+  check_size(block);
+  const Hdf5Handle node = open_group(stages, std::string(block.stage));
+  extend_series(node, "time", block.time);
+  const Hdf5Handle group = open_group(node, "channels");
+  for (std::size_t k = 0; k < block.channels.size(); ++k) {
+    extend_series(group, block.channels[k].name, block.values[k]);
+  }
+}
+
+void end_stage(const Hdf5Handle& stages, const StageRecord& stage) {
+  extend_stage(stages, find_samples(stage));
+  write_findings(open_group(stages, stage.name), stage);
 }
 
 }  // namespace gudgeon

@@ -117,19 +117,19 @@ void check_wear(CheckRules& rules) {
   }
 }
 
-// A stage's samples are held in memory until it ends.
-void check_memory(CheckRules& rules) {
-  constexpr double kMuchMemory = 4e9;  // [B] what a desktop machine can spare
+// A stage's samples go to the disk as they come, and with each later stage once more.
+void check_room(CheckRules& rules) {
+  constexpr double kMuchRoom = 4e9;  // [B] of samples, before compression: more than most programs can load at once
   const Mechanism& mechanism = rules.mechanism;
   // Nine channels a moving body, up to ten a joint; drivers and energies hardly count.
   const double n_channels =
       9.0 * static_cast<double>(mechanism.bodies.size()) + 10.0 * static_cast<double>(mechanism.joints.size());
   const double n_samples = static_cast<double>(rules.study.cycles) * rules.study.outputs_per_cycle;
-  const double memory = 8.0 * n_channels * n_samples;
-  if (memory <= kMuchMemory) return;
+  const double room = 8.0 * n_channels * n_samples;
+  if (room <= kMuchRoom) return;
   rules.diagnostics.warning("W-STUDY-010", "study.outputs_per_cycle",
-                            fmt::format("study: {} cycles of {} samples take about {:.0f} GB of memory a stage",
-                                        rules.study.cycles, rules.study.outputs_per_cycle, 1e-9 * memory),
+                            fmt::format("study: {} cycles of {} samples take up to {:.0f} GB of the run file a stage",
+                                        rules.study.cycles, rules.study.outputs_per_cycle, 1e-9 * room),
                             {"lower outputs_per_cycle or cycles; peaks are found at every step whatever is recorded"});
 }
 
@@ -156,7 +156,7 @@ void check_study(CheckRules& rules) {
   check_values(rules);
   check_cycle(rules);
   check_wear(rules);
-  check_memory(rules);
+  check_room(rules);
   check_published(rules);
 }
 

@@ -54,6 +54,12 @@ std::string find_worn_through(const StageRecord& stage) {
   return text;
 }
 
+// Values stay an empty list a channel.
+void drop_samples(StageRecord& stage) {
+  stage.time = {};
+  stage.values = std::vector<std::vector<double>>(stage.channels.size());
+}
+
 class StudyRunner {
  public:
   StudyRunner(const Mechanism& mechanism, const Study& study, const RunHooks& hooks, std::vector<StageRecord> finished)
@@ -98,8 +104,10 @@ class StudyRunner {
     };
     report(0.0);
     StageRun stage(system, study_, cycle_time_, name);
+    if (hooks_.samples) stage.stream(hooks_.samples_per_block, hooks_.samples);
     stages_.push_back(stage.run(make_state(system, assembly_), hooks_.stop, report));
     if (hooks_.stage_finished) hooks_.stage_finished(stages_.back());
+    if (hooks_.samples) drop_samples(stages_.back());
     return stages_.back().status == StageStatus::finished;
   }
 

@@ -4,6 +4,7 @@
 // The stages of one case, one after the other: ideal, no wear, first wear, second wear …
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <stop_token>
 #include <string_view>
@@ -11,6 +12,8 @@
 #include "gudgeon/model/mechanism.h"
 #include "gudgeon/model/study.h"
 #include "gudgeon/results/run_record.h"
+#include "gudgeon/results/sample_block.h"
+#include "gudgeon/sim/stage_recorder.h"
 
 namespace gudgeon {
 
@@ -27,12 +30,17 @@ struct RunHooks {
   std::stop_token stop;                                    ///< stops at the next accepted step
   std::function<void(const Progress&)> progress;           ///< about a hundred times a stage
   std::function<void(const StageRecord&)> stage_finished;  ///< also for a stage that stopped or failed
+
+  /// Takes the samples of a stage block by block, in order; those after the last full block come with stage_finished,
+  /// and no record that stays in memory has any. Without it, records keep them all.
+  std::function<void(const SampleBlock&)> samples;
+  std::size_t samples_per_block = kSamplesPerBlock;  ///< or fewer, where a sample is large
 };
 
 /// Runs every stage of the study. Each stage is handed to hooks.stage_finished as soon as it ends and is also
-/// returned. A stage that stops or fails ends the run; its record says when and why. Stages that an earlier run of the
-/// same study has finished are taken over instead of run: a stage depends on those before it only by their wear.
-/// Throws ModelError when the mechanism cannot be assembled.
+/// returned, without its samples when hooks.samples took them. A stage that stops or fails ends the run; its record
+/// says when and why. Stages that an earlier run of the same study has finished are taken over instead of run: a stage
+/// depends on those before it only by their wear. Throws ModelError when the mechanism cannot be assembled.
 std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& study, const RunHooks& hooks = {},
                                    std::vector<StageRecord> finished = {});
 

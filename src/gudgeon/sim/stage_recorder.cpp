@@ -11,6 +11,9 @@ namespace gudgeon {
 
 namespace {
 
+constexpr std::size_t kLargestBlock = 32u << 20;  // [bytes] little beside what a program takes anyway
+constexpr std::size_t kFewestSamples = 256;       // fewer would be mostly the disk's and compression's overhead
+
 std::vector<std::string> select_names(const std::vector<RecordedChannel>& table, bool watched) {
   std::vector<std::string> names;
   for (const RecordedChannel& entry : table) {
@@ -37,6 +40,19 @@ StageRecorder::StageRecorder(const System& system)
   const auto n_watched = static_cast<std::size_t>(std::ranges::count(table_, true, &RecordedChannel::watched));
   watched_row_.resize(n_watched);
   sampled_row_.resize(table_.size() - n_watched);
+}
+
+void StageRecorder::stream(std::size_t block_size, std::function<void(const SampleBlock&)> take) {
+  block_size_ = std::min(block_size, std::max(kFewestSamples, kLargestBlock / (sizeof(double) * table_.size())));
+  take_ = std::move(take);
+  time_.reserve(block_size_);
+  for (std::vector<double>& values : values_) values.reserve(block_size_);
+}
+
+void StageRecorder::hand_over() {
+  take_({"", channels_, time_, values_});
+  time_.clear();
+  for (std::vector<double>& values : values_) values.clear();
 }
 
 StageRecorder::Energies StageRecorder::find_energies(const Workspace& workspace) {
@@ -75,6 +91,7 @@ void StageRecorder::sample(double time, Workspace& workspace, std::span<const Co
     if (!table_[k].watched) sampled_row_[n_sampled++] = value;
   }
   sample_statistics_.update(time, sampled_row_);
+  if (time_.size() == block_size_) hand_over();
 }
 
 void StageRecorder::watch(double time, const Workspace& workspace, std::span<const GapState> gaps) {

@@ -4,13 +4,19 @@
 // The channels of a stage: what is sampled at even times, and whose peaks are watched at every step.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
+#include "gudgeon/results/sample_block.h"
 #include "gudgeon/results/statistics.h"
 #include "gudgeon/sim/channel_table.h"
 
 namespace gudgeon {
+
+/// Samples of a block: enough that compression does not notice its ends, some 20 MB of a hundred channels.
+inline constexpr std::size_t kSamplesPerBlock = 16384;
 
 class StageRecorder {
  public:
@@ -27,6 +33,10 @@ class StageRecorder {
   };
   Energies find_energies(const Workspace& workspace);
 
+  /// Hands over every so many samples as soon as they are there, instead of keeping them until the end; fewer where a
+  /// block would take more than some 30 MB. Nothing is allocated between two blocks.
+  void stream(std::size_t block_size, std::function<void(const SampleBlock&)> take);
+
   /// Appends one sample of all channels; initial_energy [J] is that of the stage's start, integrals those carried
   /// along.
   void sample(double time, Workspace& workspace, std::span<const ContactLatch> latches, double initial_energy,
@@ -34,11 +44,12 @@ class StageRecorder {
   /// Takes one accepted step into the statistics of contacts, efforts and accelerations.
   void watch(double time, const Workspace& workspace, std::span<const GapState> gaps);
 
-  /// Moves what was recorded into the stage.
+  /// Moves what was recorded, and not handed over, into the stage.
   void finish(StageRecord& stage);
 
  private:
   void read_clearances(const Workspace& workspace);
+  void hand_over();
 
   const System* system_;
   std::vector<std::size_t> efforts_;  // one a driver in the model's order: index into Workspace::effort
@@ -53,6 +64,8 @@ class StageRecorder {
   std::vector<double> sampled_row_;
   std::vector<double> time_;
   std::vector<std::vector<double>> values_;
+  std::size_t block_size_ = 0;  // 0: all is kept
+  std::function<void(const SampleBlock&)> take_;
   StatisticsAccumulator step_statistics_;
   StatisticsAccumulator sample_statistics_;
 };

@@ -39,6 +39,13 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
   }
 }
 
+void StageRun::stream(std::size_t block_size, const std::function<void(const SampleBlock&)>& take) {
+  recorder_.stream(block_size, [this, take](SampleBlock block) {
+    block.stage = record_.name;
+    take(block);
+  });
+}
+
 StageRecord StageRun::run(const State& start, const std::stop_token& stop,
                           const std::function<void(double)>& progress) {
   const auto clock_start = std::chrono::steady_clock::now();

@@ -22,6 +22,8 @@ class StageRun {
  public:
   StageRun(const System& system, const Study& study, double cycle_time, std::string name);
 
+  /// Has the samples handed over in blocks of that size; the record then holds those after the last block.
+  void stream(std::size_t block_size, const std::function<void(const SampleBlock&)>& take);
   /// progress is called about a hundred times with the share of the stage that is done.
   StageRecord run(const State& start, const std::stop_token& stop, const std::function<void(double)>& progress);
 
