@@ -104,10 +104,10 @@ void run_programme(int cycles, int n_threads) {
       const double begin = read_cpu_clock();
       RunHooks hooks;
       hooks.progress = [&](const Progress& progress) {
-        turns.pass(static_cast<int>(i), (progress.stage_index + progress.fraction) / progress.n_stages);
+        turns.pass(static_cast<int>(i), progress.share());
       };
       const auto stages = run_study(at.mechanism, at.study, hooks);
-      turns.end();
+      turns.end(static_cast<int>(i));
       const std::string threads = " on " + std::to_string(n_threads);
       write_row("case_time", name_case(kCases[i]) + threads, read_cpu_clock() - begin, "s");
       if (n_threads > 1) continue;

@@ -60,7 +60,7 @@ TEST(Rotations, HaveTheSameBitsInAnyLanes) {
     for (double& angle : angles) angle = any(random);
     std::vector<double> two(2 * angles.size());
     std::vector<double> four(2 * angles.size());
-    write_rotations<xsimd::sse4_2>(angles.data(), angles.size(), two.data());
+    write_rotations<xsimd::default_arch>(angles.data(), angles.size(), two.data());
     write_rotations_avx2(angles.data(), angles.size(), four.data());
     EXPECT_EQ(two, four) << largest;
   }

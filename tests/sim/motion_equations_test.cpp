@@ -103,6 +103,7 @@ TEST(MotionEquations, SlopesAreRatesAccelerationsAndPowers) {
     EXPECT_EQ(at.power(kContactDamping), damping) << mechanism.name;
     EXPECT_EQ(at.power(kFrictionLoss), friction) << mechanism.name;
     EXPECT_EQ(at.power(kSurfaceWork), surface) << mechanism.name;
+    EXPECT_NEAR(ws.loads.constant_power, at.find_load_power(), 1e-7 * std::max(std::abs(driver), 1.0));
     const double exchanged = std::abs(driver) + std::abs(at.find_load_power()) + std::abs(damping) + friction;
     // 1e-7: what central differences lose of some ten joules.
     EXPECT_NEAR(at.power(kExchanged), exchanged, 1e-7 * std::max(exchanged, 1.0)) << mechanism.name;

@@ -14,6 +14,8 @@
 #include <tuple>
 #include <vector>
 
+#include "gudgeon/sim/tsitouras.h"
+
 namespace gudgeon {
 namespace {
 
@@ -141,6 +143,66 @@ TEST(WearDeposit, RunsInOverTheMagnifiedDistance) {
     EXPECT_NEAR(wear.removed_volume / (exact(after) - exact(slid)), 1.0, 1e-8);
     slid = after;
   }
+}
+
+// What the explicit pair sees of a contact that slides over a step, its direction turning at a constant rate.
+std::vector<WearDeposit::StepSample> make_step(const std::vector<ContactSample>& contacts, double h) {
+  std::vector<WearDeposit::StepSample> step;
+  for (int s = 0; s < Tsitouras::kStages; ++s) {
+    step.push_back({&contacts[s], Tsitouras::kNodes[s], Tsitouras::kWeights[s] * h, Tsitouras::kShares[s]});
+  }
+  return step;
+}
+
+std::vector<ContactSample> make_turning_samples(double from, double by) {
+  std::vector<ContactSample> contacts;
+  for (const double node : Tsitouras::kNodes) contacts.push_back(make_sample(from + node * by));
+  return contacts;
+}
+
+// The law is asked at the distance slid by each stage's time, not by what its weights add up to: steps of 0.3 s_r are
+// still right to what a rule of fifth order makes of an exponential.
+TEST(WearDeposit, RunsInOverTheDistanceWithinAStep) {
+  constexpr double kRunIn = 1.0;
+  Contact contact = make_contact();
+  contact.bearing_wear = RunningInDistance{9e-14, 0.0, kRunIn};
+  contact.journal_wear = NoWear{};
+  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 100);
+  const std::vector<ContactSample> contacts = make_turning_samples(0.3, 0.1);
+  deposit.add(make_step(contacts, 0.3 * kRunIn / 0.31));
+  const double exact = 640.0 * 9e-14 * kRunIn * (1.0 - std::exp(-0.3));
+  EXPECT_NEAR(deposit.summarize("J").removed_volume / exact, 1.0, 1e-5);
+}
+
+// Negative weights say how much, not where: no region is given less than nothing, and the volume is k_d F s.
+TEST(WearDeposit, LaysNothingNegativeDown) {
+  const Contact contact = make_contact();
+  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 1000);
+  constexpr double kStep = 0.01;
+  for (int k = 0; k < 20; ++k) {
+    std::vector<ContactSample> contacts = make_turning_samples(0.12 * k, 0.12);
+    for (int s = 0; s < Tsitouras::kStages; ++s) contacts[s].penetration *= 1.0 + 0.5 * Tsitouras::kNodes[s];
+    deposit.add(make_step(contacts, kStep));
+  }
+  const JointWear wear = deposit.summarize("J");
+  for (const auto* depths : {&wear.bearing_depth_added, &wear.journal_depth_added, &wear.total_depth_added}) {
+    // 1e-18 m: rounding of sums of depths of 1e-11 m over a circumference.
+    for (const double depth : *depths) EXPECT_GE(depth, -1e-18);
+  }
+  EXPECT_NEAR(wear.removed_volume / (kCoefficient * 640.0 * 0.31 * 20 * kStep), 1.0, 1e-11);
+  EXPECT_NEAR(wear.sliding_distance, 0.31 * 20 * kStep, 1e-14);
+}
+
+// Where neither stage with a share presses, the last that does tells the place.
+TEST(WearDeposit, FindsAPlaceForAContactThatEnds) {
+  const Contact contact = make_contact();
+  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 1000);
+  std::vector<ContactSample> contacts = make_turning_samples(0.0, 0.12);
+  for (const int s : {2, 3, 4, 5, 6}) contacts[s].normal_force = 0.0;
+  deposit.add(make_step(contacts, 0.01));
+  const JointWear wear = deposit.summarize("J");
+  EXPECT_GT(wear.removed_volume, 0.0);
+  EXPECT_NEAR(wear.removed_volume / wear.archard_volume, 1.0, 1e-11);
 }
 
 // The depth before the stage counts, that of the surface it wears.

@@ -57,8 +57,6 @@ std::vector<StageRecord> read_finished_stages(const CaseRun& one, const RunRecor
   return std::move(earlier.stages);
 }
 
-double find_share(const Progress& progress) { return (progress.stage_index + progress.fraction) / progress.n_stages; }
-
 void run_stages(CaseRun& one, int index, Existing existing, const std::stop_token& stop, ProgressDisplay& display,
                 CaseTurns& turns) {
   const RunRecord header = make_header(one);
@@ -72,7 +70,8 @@ void run_stages(CaseRun& one, int index, Existing existing, const std::stop_toke
   hooks.stop = stop;
   hooks.progress = [&](const Progress& progress) {
     display.update(index, progress);
-    turns.pass(index, find_share(progress));
+    // A stage that is done is written before another case goes on.
+    if (progress.fraction < 1.0) turns.pass(index, progress.share());
   };
   hooks.samples = [&](const SampleBlock& block) { writer.append(block); };
   hooks.stage_finished = [&](const StageRecord& stage) {
@@ -120,7 +119,7 @@ int run_cases(std::vector<CaseRun>& cases, int n_threads, Existing existing, Pro
       } else {
         run_case(cases[i], i, existing, stop.get_token(), display, turns);
       }
-      turns.end();
+      turns.end(i);
       n_done.fetch_add(1);
       n_done.notify_one();
     }

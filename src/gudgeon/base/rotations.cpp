@@ -17,10 +17,8 @@ using RotationWriter = void (*)(const double*, std::size_t, double*) noexcept;
 RotationWriter choose_rotation_writer() noexcept {
 #ifdef __x86_64__
   if (__builtin_cpu_supports("avx2")) return write_rotations_avx2;
-  return write_rotations<xsimd::sse4_2>;
-#else
-  return write_rotations<xsimd::default_arch>;
 #endif
+  return write_rotations<xsimd::default_arch>;
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ class ExplicitStepper final : public Stepper {
   [[nodiscard]] bool evaluates_end() const override { return true; }
   [[nodiscard]] const DenseStep& dense() const override { return formula_; }
   [[nodiscard]] std::span<const double> weights() const override { return Tsitouras::kWeights; }
+  [[nodiscard]] std::span<const double> nodes() const override { return Tsitouras::kNodes; }
   [[nodiscard]] std::span<const double> shares() const override { return Tsitouras::kShares; }
 
  private:

@@ -48,6 +48,7 @@ class MotionIntegrator {
   /// Stages of a step at which contacts are sampled, and their weights [1] in an integral over it.
   [[nodiscard]] int n_stages() const { return static_cast<int>(stepper_->weights().size()); }
   [[nodiscard]] double find_weight(int stage) const { return stepper_->weights()[stage]; }
+  [[nodiscard]] double find_node(int stage) const { return stepper_->nodes()[stage]; }
   [[nodiscard]] double find_share(int stage) const { return stepper_->shares()[stage]; }
   /// What a contact was like at a stage of the last step; without force where it was open.
   [[nodiscard]] const ContactSample& find_sample(int stage, std::size_t contact) const {

@@ -23,6 +23,9 @@ struct Progress {
   int stage_index = 0;
   int n_stages = 1;
   double fraction = 0.0;  ///< of the stage's time
+
+  /// Of the whole case, all stages counted alike.
+  [[nodiscard]] double share() const { return (stage_index + fraction) / n_stages; }
 };
 
 /// What a caller may hang into a run. Callbacks come from the thread that runs the case.

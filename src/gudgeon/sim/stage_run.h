@@ -43,7 +43,7 @@ class StageRun {
   StageRecorder recorder_;
   ContactHistory history_;
   std::vector<WearDeposit> wear_;         // one a clearance joint
-  std::vector<WearDeposit::Stage> step_;  // of one contact
+  std::vector<WearDeposit::StepSample> step_;  // of one contact
   Workspace scratch_;
   StageRecord record_;
 

@@ -52,6 +52,8 @@ class Stepper {
   /// The last attempt or step.
   [[nodiscard]] virtual const DenseStep& dense() const = 0;
 
+  /// When its stages are, in shares of the step.
+  [[nodiscard]] virtual std::span<const double> nodes() const = 0;
   /// Weights [1] of the stages in an integral over the step.
   [[nodiscard]] virtual std::span<const double> weights() const = 0;
   /// The same of a rule of at least second order whose weights are not negative.

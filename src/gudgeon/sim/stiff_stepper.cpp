@@ -65,6 +65,8 @@ StiffStepper::StiffStepper(MotionEquations& equations, SolverStatistics& statist
       longest_step_(longest_step),
       next_(longest_step) {}
 
+std::span<const double> StiffStepper::nodes() const { return kNodes; }
+
 std::span<const double> StiffStepper::weights() const { return kWeights; }
 
 bool StiffStepper::eval(double t, const double* y, double* slope) noexcept {

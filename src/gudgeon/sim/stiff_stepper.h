@@ -32,6 +32,7 @@ class StiffStepper final : public Stepper, private DenseStep, private StiffProbl
   [[nodiscard]] double next_step() const override { return next_; }
   [[nodiscard]] bool projects_closures() const override { return true; }
   [[nodiscard]] const DenseStep& dense() const override { return *this; }
+  [[nodiscard]] std::span<const double> nodes() const override;
   [[nodiscard]] std::span<const double> weights() const override;
 
  private:

@@ -74,29 +74,35 @@ WearDeposit::WearDeposit(std::span<const Contact> contacts, Deposition depositio
   total_ = bearing_;
 }
 
-void WearDeposit::add(std::span<const Stage> stages) noexcept {
-  Amounts worn;
+void WearDeposit::add(std::span<const StepSample> samples) noexcept {
+  const auto presses = [](const StepSample& at) { return at.contact->normal_force > 0.0; };
+  double slip = 0.0;
   double whole = 0.0;
   const ContactSample* last = nullptr;
-  for (const Stage& stage : stages) {
-    if (!(stage.sample->normal_force > 0.0)) continue;
-    if (stage.weight != 0.0) {
-      const Amounts here = wear_off(*stage.sample, stage.weight);
-      worn.bearing += here.bearing;
-      worn.journal += here.journal;
-    }
-    whole += stage.share * find_intensity(*stage.sample);
-    last = stage.sample;
+  for (const StepSample& at : samples) {
+    if (!presses(at)) continue;
+    slip += at.weight * std::abs(at.contact->slip_speed);
+    impulse_ += at.weight * at.contact->normal_force;
+    whole += at.share * find_intensity(*at.contact);
+    last = at.contact;
   }
   if (last == nullptr) return;
+  Amounts worn;
+  for (const StepSample& at : samples) {
+    if (!presses(at) || at.weight == 0.0) continue;
+    const Amounts rates = find_rates(*at.contact, sliding_distance_ + at.node * slip);
+    worn.bearing += at.weight * rates.bearing;
+    worn.journal += at.weight * rates.journal;
+  }
+  sliding_distance_ += slip;
   volume_ += (worn.bearing + worn.journal) * contacts_.front().width;
   if (!(whole > 0.0)) {
     lay_down(*last, worn);
     return;
   }
-  for (const Stage& stage : stages) {
-    const double part = stage.share * find_intensity(*stage.sample) / whole;
-    if (part > 0.0) lay_down(*stage.sample, {part * worn.bearing, part * worn.journal});
+  for (const StepSample& at : samples) {
+    const double part = presses(at) ? at.share * find_intensity(*at.contact) / whole : 0.0;
+    if (part > 0.0) lay_down(*at.contact, {part * worn.bearing, part * worn.journal});
   }
 }
 
@@ -106,23 +112,16 @@ double WearDeposit::find_length(const ContactSample& sample) const noexcept {
                             : find_contact_arc(penetration, sample.bearing_radius, sample.journal_radius).length;
 }
 
-// What one stage brings to the integrals over the step.
-WearDeposit::Amounts WearDeposit::wear_off(const ContactSample& sample, double weight) noexcept {
+// [m^2/s] after a distance slid in this stage.
+WearDeposit::Amounts WearDeposit::find_rates(const ContactSample& sample, double distance) const noexcept {
   const Contact& contact = contacts_.front();  // its laws and width are those of all
-  const double speed = std::abs(sample.slip_speed);
   const double length = find_length(sample);
-  const double pressure = sample.normal_force / (contact.width * length);
-  // Half-way through this part of the step: the sum over the parts is then a midpoint rule in the distance.
-  const double distance = sliding_distance_ + 0.5 * weight * speed;
-  WearContact wear{pressure, speed, std::abs(sample.friction_force) / sample.normal_force, sample.bearing_depth,
+  WearContact wear{sample.normal_force / (contact.width * length), std::abs(sample.slip_speed),
+                   std::abs(sample.friction_force) / sample.normal_force, sample.bearing_depth,
                    contact.sliding_distance + magnification_ * distance};
-  Amounts worn;
-  worn.bearing = weight * find_wear_rate(contact.bearing_wear, wear) * length;
+  const double bearing = find_wear_rate(contact.bearing_wear, wear) * length;
   wear.depth = sample.journal_depth;
-  worn.journal = weight * find_wear_rate(contact.journal_wear, wear) * length;
-  sliding_distance_ += weight * speed;
-  impulse_ += weight * sample.normal_force;
-  return worn;
+  return {bearing, find_wear_rate(contact.journal_wear, wear) * length};
 }
 
 void WearDeposit::lay_down(const ContactSample& sample, const Amounts& amounts) noexcept {

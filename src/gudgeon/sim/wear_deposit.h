@@ -27,16 +27,18 @@ class WearDeposit {
   WearDeposit(std::span<const Contact> contacts, Deposition deposition, int n_regions, double magnification = 1.0);
 
   /// One contact at one stage of an accepted step.
-  struct Stage {
-    const ContactSample* sample;
+  struct StepSample {
+    const ContactSample* contact;
+    double node;    ///< [1] when, in shares of the step
     double weight;  ///< [s] in integrals over the step; may be negative
     double share;   ///< [1] by which the step's wear is laid down here rather than at its other stages; never negative
   };
   /// One contact over an accepted step. How much it wears is integrated over all stages, where it is laid down is told
-  /// by those with a share: so the amount is as accurate as the motion, and no place gets less than nothing.
-  void add(std::span<const Stage> stages) noexcept;
-  /// The same of a step seen at one stage.
-  void add(const ContactSample& sample, double weight) noexcept { add({{Stage{&sample, weight, 1.0}}}); }
+  /// by those with a share: so the amount is as accurate as the motion, and no place gets less than nothing unless the
+  /// whole step is given less, as an integration rule may where a force sets in within it.
+  void add(std::span<const StepSample> samples) noexcept;
+  /// The same of a step seen at its middle.
+  void add(const ContactSample& sample, double weight) noexcept { add({{StepSample{&sample, 0.5, weight, 1.0}}}); }
   /// Time spent in contact.
   void add_contact_time(double time) noexcept { contact_time_ += time; }
 
@@ -50,7 +52,7 @@ class WearDeposit {
     double journal = 0.0;
   };
   [[nodiscard]] double find_length(const ContactSample& sample) const noexcept;
-  Amounts wear_off(const ContactSample& sample, double weight) noexcept;
+  [[nodiscard]] Amounts find_rates(const ContactSample& sample, double distance) const noexcept;
   void lay_down(const ContactSample& sample, const Amounts& amounts) noexcept;
   struct Layer {
     ArcAccumulator* surface;
