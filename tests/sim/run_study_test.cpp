@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <span>
+#include <string>
 #include <tuple>
 
 #include "gudgeon/base/diagnostics.h"
@@ -136,6 +138,20 @@ void add_samples(StageRecord& stage, std::span<const double> time, std::span<con
   }
 }
 
+// Each block comes in the memory of the one before.
+TEST(RunStudy, BlocksTakeNoNewMemory) {
+  std::map<std::string, std::vector<const double*>> places;
+  RunHooks hooks;
+  hooks.samples_per_block = 5;
+  hooks.samples = [&](const SampleBlock& block) {
+    std::vector<const double*> now{block.time.data()};
+    for (const std::vector<double>& values : block.values) now.push_back(values.data());
+    EXPECT_EQ(places.emplace(block.stage, now).first->second, now);
+  };
+  run_study(oracle::make_nine_bar(), make_study(1), hooks);
+  EXPECT_EQ(places.size(), 3U);
+}
+
 // One sample a block, some, all but the last, exactly all, more than there are.
 TEST(RunStudy, BlocksJoinedAreTheSamplesThatAreKept) {
   const Study study = make_study(1);
@@ -150,7 +166,7 @@ TEST(RunStudy, BlocksJoinedAreTheSamplesThatAreKept) {
       if (!is_under_way) joined.emplace_back().name = block.stage;
       is_under_way = true;
       EXPECT_EQ(block.stage, joined.back().name);
-      EXPECT_EQ(block.channels.size(), whole[0].channels.size());
+      EXPECT_EQ(block.channels.size(), whole[joined.size() - 1].channels.size());
       EXPECT_EQ(block.time.size(), size);
       add_samples(joined.back(), block.time, block.values);
     };
