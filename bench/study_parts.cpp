@@ -103,9 +103,7 @@ void run_programme(int cycles, int n_threads) {
       const NineBarStudy at = read_nine_bar(kCases[i], cycles);
       const double begin = read_cpu_clock();
       RunHooks hooks;
-      hooks.progress = [&](const Progress& progress) {
-        turns.pass(static_cast<int>(i), progress.share());
-      };
+      hooks.progress = [&](const Progress& progress) { turns.pass(static_cast<int>(i), progress.share()); };
       const auto stages = run_study(at.mechanism, at.study, hooks);
       turns.end(static_cast<int>(i));
       const std::string threads = " on " + std::to_string(n_threads);

@@ -178,19 +178,19 @@ TEST(WearDeposit, RunsInOverTheDistanceWithinAStep) {
 TEST(WearDeposit, LaysNothingNegativeDown) {
   const Contact contact = make_contact();
   WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 1000);
-  constexpr double kStep = 0.01;
+  constexpr double kDuration = 0.01;
   for (int k = 0; k < 20; ++k) {
     std::vector<ContactSample> contacts = make_turning_samples(0.12 * k, 0.12);
     for (int s = 0; s < Tsitouras::kStages; ++s) contacts[s].penetration *= 1.0 + 0.5 * Tsitouras::kNodes[s];
-    deposit.add(make_step(contacts, kStep));
+    deposit.add(make_step(contacts, kDuration));
   }
   const JointWear wear = deposit.summarize("J");
   for (const auto* depths : {&wear.bearing_depth_added, &wear.journal_depth_added, &wear.total_depth_added}) {
     // 1e-18 m: rounding of sums of depths of 1e-11 m over a circumference.
     for (const double depth : *depths) EXPECT_GE(depth, -1e-18);
   }
-  EXPECT_NEAR(wear.removed_volume / (kCoefficient * 640.0 * 0.31 * 20 * kStep), 1.0, 1e-11);
-  EXPECT_NEAR(wear.sliding_distance, 0.31 * 20 * kStep, 1e-14);
+  EXPECT_NEAR(wear.removed_volume / (kCoefficient * 640.0 * 0.31 * 20 * kDuration), 1.0, 1e-11);
+  EXPECT_NEAR(wear.sliding_distance, 0.31 * 20 * kDuration, 1e-14);
 }
 
 // Where neither stage with a share presses, the last that does tells the place.

@@ -15,10 +15,10 @@ namespace gudgeon {
 
 /// What the gap of one contact needs to be watched over a step.
 struct GapState {
-  double reach = 0.0;             ///< [m] the penetration that the least wear depths would leave, never below δ; in flight
-  double reach_rate = 0.0;        ///< [m/s]
-  double region_rate = 0.0;       ///< [1/s] regions of wear passed, on the surface where they pass faster; in flight
-  double penetration = 0.0;       ///< δ [m]
+  double reach = 0.0;        ///< [m] the penetration that the least wear depths would leave, never below δ; in flight
+  double reach_rate = 0.0;   ///< [m/s]
+  double region_rate = 0.0;  ///< [1/s] regions of wear passed, on the surface where they pass faster; in flight
+  double penetration = 0.0;  ///< δ [m]
   double penetration_rate = 0.0;  ///< δ̇ [m/s]
   double overrun = 0.0;           ///< [m] past the end of a slot; <= 0 within it and in a round bearing
 };

@@ -42,7 +42,7 @@ class StageRun {
   MotionIntegrator motion_;
   StageRecorder recorder_;
   ContactHistory history_;
-  std::vector<WearDeposit> wear_;         // one a clearance joint
+  std::vector<WearDeposit> wear_;              // one a clearance joint
   std::vector<WearDeposit::StepSample> step_;  // of one contact
   Workspace scratch_;
   StageRecord record_;

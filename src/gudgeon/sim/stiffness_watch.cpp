@@ -12,8 +12,8 @@ namespace gudgeon {
 
 namespace {
 
-// The pair is stable up to 3.5 for decays, and next to stable up to 1 for swings; a controlled step keeps a little off. Where
-// accuracy holds the step it is below 1 at any tolerance in use.
+// The pair is stable up to 3.5 for decays, and next to stable up to 1 for swings; a controlled step keeps a little off.
+// Where accuracy holds the step it is below 1 at any tolerance in use.
 constexpr double kStiff = 1.5;
 // So many smooth steps on end void the stiff ones before (Hairer & Wanner 1996, IV.2).
 constexpr int kMostSmooth = 6;
