@@ -9,12 +9,25 @@ import { curveColor, findDashes } from './palette.js';
 const kWidth = 720;
 const kInk = '#1f2933';
 const kLegendRow = 20;
+const kCaptionRow = 16;
+const kCaptionLength = 115; // letters of 11 px that fit
 
 const escape = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 const round = (value) => String(Math.round(value * 100) / 100);
 
 function makeText(x, y, text, extra = '') {
   return `<text x="${round(x)}" y="${round(y)}" fill="${kInk}" ${extra}>${escape(text)}</text>`;
+}
+
+/** The caption in lines that fit: what one has to know to read the picture goes with it. */
+function breakCaption(text) {
+  const lines = [];
+  for (const word of (text ?? '').split(' ').filter(Boolean)) {
+    const longer = `${lines.at(-1)} ${word}`;
+    if (lines.length > 0 && longer.length <= kCaptionLength) lines[lines.length - 1] = longer;
+    else lines.push(word);
+  }
+  return lines;
 }
 
 const makeDashes = (curve) => (curve.line ? ` stroke-dasharray="${findDashes(curve).join(' ')}"` : '');
@@ -80,7 +93,9 @@ export function makeSvg(figure, view, ranges) {
   const toX = (value) => area.x + ((value - limits.x[0]) / (limits.x[1] - limits.x[0])) * area.w;
   const toY = (value) => area.y + area.h - ((value - limits.y[0]) / (limits.y[1] - limits.y[0])) * area.h;
   const curves = readCurves(figure).filter((curve) => view.shown.has(groupOf(curve)));
-  const height = top + area.h + 52;
+  const caption = breakCaption(figure.caption);
+  const captionTop = top + area.h + 62;
+  const height = top + area.h + 52 + (caption.length > 0 ? 8 + kCaptionRow * caption.length : 0);
   return `<svg xmlns="http://www.w3.org/2000/svg" width="${kWidth}" height="${height}" viewBox="0 0 ${kWidth} ${height}" font-family="'DejaVu Sans', Verdana, 'Segoe UI', Helvetica, Arial, sans-serif" stroke-linejoin="round">
 <title>${escape(figure.title)}</title><rect width="${kWidth}" height="${height}" fill="#ffffff"/>
 <clipPath id="area"><rect x="${area.x}" y="${area.y}" width="${area.w}" height="${area.h}"/></clipPath>
@@ -88,6 +103,7 @@ ${makeText(12, 26, figure.title, 'font-size="16" font-weight="bold"')}${legend.s
 ${makeAxes(figure, limits, area, toX, toY)}
 <g clip-path="url(#area)">${curves.map((curve) => makeCurve(figure, curve, limits, toX, toY)).join('\n')}</g>
 <rect x="${area.x}" y="${area.y}" width="${area.w}" height="${area.h}" fill="none" stroke="${kInk}"/>
+${caption.map((line, k) => makeText(12, captionTop + kCaptionRow * k, line, 'font-size="11"')).join('')}
 </svg>\n`;
 }
 

@@ -65,7 +65,8 @@ export class SignalChart {
       event.stopPropagation();
       this.zoomTo(this.all);
     }, true);
-    this.zoomTo(view.x ?? this.all);
+    // At once: a picture may be asked for before uPlot would come to it.
+    this.plot.batch(() => this.zoomTo(view.x ?? this.all));
   }
 
   #makeOptions(width, onHover) {

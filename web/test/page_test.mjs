@@ -173,6 +173,14 @@ test('data, pictures and readout of a figure come out', async () => {
   const png = await readDownload(page, figure.locator('button', { hasText: 'PNG' }));
   assert.equal(png.bytes.subarray(1, 4).toString(), 'PNG');
   assert.equal(png.bytes.readUInt32BE(16), 1440);
+  // Pictures of figures that nobody has scrolled to yet; that of an exaggerated one says by how much.
+  const unseen = await page.evaluate(() => {
+    const { card } = document.getElementById('figure-base.A.surfaces');
+    const { card: signal } = document.getElementById('figure-base.A.normal_force');
+    return { surfaces: card.makeSvg(), signal: signal.makeSvg() };
+  });
+  assert.match(unseen.surfaces, /Depth × \d+/);
+  assert.match(unseen.signal, /<polyline points="[\d.]+,[\d.]+ /);
   const box = await figure.locator('canvas').first().boundingBox();
   await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
   await waitUntil(page, () => figure.locator('.readout').textContent(), (text) => /s: ideal .*first wear [−\d]/.test(text), 'hover values');

@@ -68,6 +68,17 @@ std::string describe_joint(const Joint& joint) {
     return fmt::format("{} radial, bearing radius {}, width {}", format_engineering(round->radial_clearance, "m"),
                        format_engineering(round->bearing_radius, "m"), format_engineering(round->width, "m"));
   }
+  if (const auto* block = std::get_if<PrismaticClearance>(&joint.kind)) {
+    return fmt::format("{} on either side, block {} long and {} high, corners {}, slot {} long, width {}",
+                       format_engineering(block->clearance, "m"), format_engineering(block->journal_length, "m"),
+                       format_engineering(block->journal_height, "m"), format_engineering(block->corner_radius, "m"),
+                       format_engineering(block->bearing_length, "m"), format_engineering(block->width, "m"));
+  }
+  if (const auto* pin = std::get_if<PinInSlotClearance>(&joint.kind)) {
+    return fmt::format("{} on either side, pin radius {}, slot {} long, width {}",
+                       format_engineering(pin->clearance, "m"), format_engineering(pin->journal_radius, "m"),
+                       format_engineering(pin->bearing_length, "m"), format_engineering(pin->width, "m"));
+  }
   return kJointKinds[joint.kind.index()];
 }
 

@@ -59,7 +59,11 @@ std::vector<Figure> make_comparison_figures(std::span<const CaseComparison> comp
         figure.id = fmt::format("{}.{}_over_{}", joint, what, comparison.id);
         figure.topic = "comparison";
         figure.title = std::move(title);
-        if (figure.caption.empty()) figure.caption = "Bearing and journal together, after the last stage of each case.";
+        if (figure.caption.empty()) {
+          figure.caption =
+              "Bearing and journal together, as the last stage of each case runs on them; what it wears away itself "
+              "comes on top.";
+        }
         if (is_selection) {
           figure.caption +=
               fmt::format(" {} of {} cases, at equal steps.", comparison.cases.size(), whole.cases.size());

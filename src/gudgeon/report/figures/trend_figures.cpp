@@ -62,7 +62,7 @@ Figure make_trend_figure(const CaseComparison& comparison, const std::string& y_
     if (curve.x->size() > 1) figure.curves.push_back(std::move(curve));
   }
   figure.title = fmt::format("{} {}", y_label, comparison.title);
-  figure.caption = "Of each joint, after the last stage of each case.";
+  figure.caption = "Of each joint, over the last stage of each case.";
   figure.x = make_x_axis(comparison.axis.label, comparison.axis.unit, figure.curves);
   figure.y = make_y_axis(y_label, unit, figure.curves);
   return figure;
@@ -87,7 +87,9 @@ std::vector<Figure> make_trend_figures(const CaseComparison& comparison) {
     figure.id = fmt::format("{}_over_{}", what, comparison.id);
     figures.push_back(std::move(figure));
   };
-  add(make_trend_figure(comparison, "Deepest wear", "m", find_deepest_of), "deepest_wear");
+  Figure wear = make_trend_figure(comparison, "Deepest wear", "m", find_deepest_of);
+  wear.caption = "Of each joint, after the last stage of each case, with what that stage wears away.";
+  add(std::move(wear), "deepest_wear");
   add(make_trend_figure(comparison, "Largest contact force", "N", find_largest_force_of), "largest_force");
   return figures;
 }

@@ -67,8 +67,10 @@ std::string render_wear_table(const RunRecord& run) {
   return table.render() +
          make_paragraph(
              fmt::format("Depths of bearing and journal together unless said, in the bearing's body, after the "
-                         "stage. Worn: deeper than {:.0f} % of the deepest. Removed and k F s (Archard): of the "
-                         "stage alone.",
+                         "stage. The next stage runs on these surfaces and gives them its name in figures: what “no "
+                         "wear” wears away is the wear depth of “first wear”. What the last stage wears away is in "
+                         "this table only. Worn: deeper than {:.0f} % of the deepest. Removed and k F s (Archard): of "
+                         "the stage alone.",
                          100.0 * kWornFraction),
              "note") +
          notes;

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "gudgeon/report/plot/plot_frame.h"
 
@@ -18,6 +21,9 @@ constexpr double kRightMargin = 24.0;  // [px] half a tick's number
 constexpr double kTitleHeight = 40.0;
 constexpr double kLabelHeight = 24.0;
 constexpr double kFootHeight = 52.0;
+constexpr double kSideMargin = 12.0;
+constexpr double kCaptionSize = 11.0;
+constexpr double kCaptionRow = 16.0;
 
 /// The runs of points that have numbers: a gap in the values is a gap in the line.
 std::vector<std::vector<Vec2>> split_at_gaps(const std::vector<Vec2>& points) {
@@ -30,6 +36,22 @@ std::vector<std::vector<Vec2>> split_at_gaps(const std::vector<Vec2>& points) {
     }
   }
   return pieces;
+}
+
+/// The caption in lines that fit: a picture on its own needs what one has to know to read it.
+std::vector<std::string> break_caption(std::string_view caption, double width) {
+  std::vector<std::string> lines;
+  while (!caption.empty()) {
+    const std::size_t end = std::min(caption.find(' '), caption.size());
+    const std::string word(caption.substr(0, end));
+    caption.remove_prefix(std::min(end + 1, caption.size()));
+    if (!lines.empty() && find_text_width(lines.back() + ' ' + word, kCaptionSize) <= width) {
+      lines.back() += ' ' + word;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
 }
 
 void draw_curve(SvgCanvas& canvas, const DrawnCurve& drawn, const PlotFrame& frame, FigureKind kind) {
@@ -64,11 +86,18 @@ std::string plot_figure(const Figure& figure, const PlotSettings& settings) {
     frame.x = {figure.x.factor * figure.x_begin, figure.x.factor * figure.x_end};
   }
 
-  SvgCanvas canvas(settings.width, top + inner_height + kFootHeight, figure.title);
-  canvas.add_text({12.0, 26.0}, figure.title, {.color = "#1f2933", .size = 16.0, .bold = true});
-  draw_legend(canvas, curves, {12.0, kTitleHeight}, inner_width);
+  const std::vector<std::string> caption = break_caption(figure.caption, settings.width - 2.0 * kSideMargin);
+  const double foot = top + inner_height + kFootHeight;
+  const double caption_height = caption.empty() ? 0.0 : kCaptionRow * (static_cast<double>(caption.size()) + 0.5);
+  SvgCanvas canvas(settings.width, foot + caption_height, figure.title);
+  canvas.add_text({kSideMargin, 26.0}, figure.title, {.color = "#1f2933", .size = 16.0, .bold = true});
+  draw_legend(canvas, curves, {kSideMargin, kTitleHeight}, inner_width);
   draw_axes(canvas, figure, frame);
   for (const DrawnCurve& curve : curves) draw_curve(canvas, curve, frame, figure.kind);
+  for (std::size_t k = 0; k < caption.size(); ++k) {
+    canvas.add_text({kSideMargin, foot + kCaptionRow * (static_cast<double>(k) + 0.6)}, caption[k],
+                    {.color = "#1f2933", .size = kCaptionSize});
+  }
   return canvas.render();
 }
 
