@@ -41,5 +41,10 @@ export function startTheme(button) {
     setTheme(!isDark());
   });
   // Paper is white.
-  window.addEventListener('beforeprint', () => isDark() && setTheme(false));
+  let wasDark = false;
+  window.addEventListener('beforeprint', () => {
+    wasDark = isDark();
+    if (wasDark) setTheme(false);
+  });
+  window.addEventListener('afterprint', () => wasDark && setTheme(true));
 }

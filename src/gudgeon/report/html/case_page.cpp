@@ -64,6 +64,7 @@ std::string render_article(const ReportCase& one, const std::vector<Figure>& fig
   };
   std::string html =
       fmt::format("<article class=\"case\" data-case=\"{0}\" aria-label=\"Case {0}\">\n", escape_html(name));
+  html += render_warnings(one);
   if (one.scene && !run.stages.empty() && detail.has_samples) {
     html += make_section(name, "moving", {"The mechanism, moving", "Moving"},
                          fmt::format("<div class=\"mechanism\" data-case=\"{}\"></div>\n", escape_html(name)));

@@ -84,6 +84,11 @@ std::string render_simulated(const ReportCase& one) {
   std::vector<NamedText> changed = one.case_settings;
   for (const auto& [path, value] : one.run.overrides) changed.emplace_back(path, value);
   if (!changed.empty()) html += "<h3>Changed from the model file</h3>\n" + render_list(changed);
+  return html;
+}
+
+std::string render_warnings(const ReportCase& one) {
+  std::string html;
   if (!one.trouble.empty()) html += make_paragraph(one.trouble, "warning");
   for (const StageRecord& stage : one.run.stages) {
     if (stage.status == StageStatus::finished) continue;
@@ -114,10 +119,12 @@ std::string render_published_values(const ReportCase& one) {
     }
   }
   if (table.empty()) return {};
+  const char* changed = one.run.overrides.empty() ? "" : " This run was changed by --set; published values are not.";
   return table.render() +
          make_paragraph(
-             "Impacts between journal and bearing are chaotic: a peak agrees in magnitude, not in sign or time. "
-             "Ratios are of magnitudes, ours over published.",
+             fmt::format("Impacts between journal and bearing are chaotic: a peak agrees in magnitude, not in sign or "
+                         "time. Ratios are of magnitudes, ours over published.{}",
+                         changed),
              "note");
 }
 
