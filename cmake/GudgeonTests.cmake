@@ -17,7 +17,7 @@ function(gudgeon_add_gtests target folder)
   math(EXPR last "${GUDGEON_TEST_SHARES} - 1")
   foreach(share RANGE ${last})
     set(name ${folder}/share_${share})
-    add_test(NAME ${name} COMMAND ${target} --gtest_brief=1)
+    add_test(NAME ${name} COMMAND ${target})
     set_tests_properties(${name} PROPERTIES ${ARGN}
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${GUDGEON_TEST_SHARES};GTEST_SHARD_INDEX=${share}")
   endforeach()
