@@ -70,6 +70,7 @@ export class JointInset {
     const what = this.layout?.isBlock ? 'clearance and tilt' : 'clearance';
     const scale = isIdeal ? '\u00a0' : `${what} × ${printFactor(this.factor)}, arrow ∝ √F, longest ${printQuantity(this.greatest, 'N')}`;
     this.text.replaceChildren(where, make('br'), scale);
+    this.canvas.title = 'Ticks show how the two bodies are turned';
     this.canvas.setAttribute('aria-label', `Joint ${joint.name}, magnified: ${where}`);
   }
 
@@ -84,7 +85,7 @@ export class JointInset {
     this.#drawRing(context, bearing);
     drawDisc(context, ex, ey, kRadius - (isIdeal ? 0 : kGap), journal);
     drawMark(context, 0, 0, kRadius + 4, kRadius + 14, poses[joint.first].angle, bearing);
-    drawMark(context, ex, ey, 12, kRadius - kGap - 8, poses[joint.second].angle, journal);
+    drawMark(context, ex, ey, kRadius - kGap - 12, kRadius - kGap - 2, poses[joint.second].angle, journal);
     context.fillStyle = styleColor('--ink');
     context.fillRect(-1.5, -1.5, 3, 3);
     if (isIdeal || !(state.normal > 0)) return;
