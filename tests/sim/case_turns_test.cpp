@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cstdlib>
 #include <functional>
+#include <iostream>
 #include <memory>
 #include <semaphore>
 #include <thread>
@@ -31,6 +34,12 @@ class ScriptedCase {
       has_turn_ = true;
       return true;
     });
+  }
+  // From a case that is to go on: returns when it does.
+  void pass_and_go_on(double progress) {
+    pass(progress);
+    free_.acquire();
+    free_.release();
   }
   void pass(double progress) {
     tell([this, progress] {
@@ -76,7 +85,7 @@ struct Script {
   Script(int n_cases, int n_turns) : turns(n_cases, n_turns) {
     for (int k = 0; k < n_cases; ++k) cases.push_back(std::make_unique<ScriptedCase>(turns, k));
   }
-  // Waits until exactly these have turns; a test that waits for ever has failed.
+  // Waits until exactly these have turns.
   void expect(const std::vector<int>& running) {
     const auto are_there = [&] {
       for (int k = 0; k < static_cast<int>(cases.size()); ++k) {
@@ -84,10 +93,22 @@ struct Script {
       }
       return true;
     };
-    while (!are_there()) std::this_thread::yield();
+    wait_until(are_there);
   }
   void expect_waiting(int n) {
-    while (turns.count_waiting() != n) std::this_thread::yield();
+    wait_until([&] { return turns.count_waiting() == n; });
+  }
+  // Who waits for what does not come has failed; as its cases wait, too, there is no way on.
+  template <class Condition>
+  void wait_until(Condition&& condition) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!condition()) {
+      if (std::chrono::steady_clock::now() > deadline) {
+        std::cerr << "the turns are not where they are expected\n";
+        std::abort();
+      }
+      std::this_thread::yield();
+    }
   }
 
   CaseTurns turns;
@@ -114,8 +135,7 @@ TEST(CaseTurns, GoesOnToTheEndWhileMoreThanTwoATurnAreLeft) {
   script.expect({0, 1});
   script.cases[2]->begin();
   script.expect_waiting(1);
-  script.cases[0]->pass(0.99);
-  script.cases[0]->pass(0.995);  // taken only once the pass before it is over
+  script.cases[0]->pass_and_go_on(0.99);
   script.expect({0, 1});
   EXPECT_EQ(script.turns.count_waiting(), 1);
   script.cases[0]->end();
@@ -131,14 +151,13 @@ TEST(CaseTurns, LetsTheLastOnesEndTogether) {
   script.cases[2]->begin();
   script.expect_waiting(1);
   for (const double progress : {0.2, 0.45}) {
-    for (const int k : {0, 1}) script.cases[k]->pass(progress);
-    script.expect({0, 1});
+    for (const int k : {0, 1}) script.cases[k]->pass_and_go_on(progress);
   }
-  script.cases[1]->pass(0.55);
+  script.cases[1]->pass_and_go_on(0.55);
   script.cases[0]->pass(0.55);  // what is left of the third is now more than half of all that is left
   script.expect({1, 2});
-  script.cases[2]->pass(0.3);  // the first is ahead of it
-  script.cases[1]->pass(0.9);
+  script.cases[2]->pass_and_go_on(0.3);  // the first is ahead of it
+  script.cases[1]->pass_and_go_on(0.9);
   script.cases[1]->end();
   script.expect({0, 2});
   for (const int k : {0, 2}) script.cases[k]->end();
@@ -151,11 +170,10 @@ TEST(CaseTurns, DoesNotHoldBackWhoIsNearlyDone) {
   script.expect({0, 1});
   for (const int k : {2, 3}) script.cases[k]->begin();
   script.expect_waiting(2);
-  script.cases[1]->pass(0.99);
+  script.cases[1]->pass_and_go_on(0.99);
   script.cases[0]->end();
   script.expect({1, 2});
-  script.cases[1]->pass(0.995);
-  script.expect({1, 2});
+  script.cases[1]->pass_and_go_on(0.995);
   script.cases[1]->end();
   script.expect({2, 3});
   for (const int k : {2, 3}) script.cases[k]->end();
