@@ -52,7 +52,6 @@ class StageRecorder {
   void hand_over();
 
   const System* system_;
-  std::vector<std::size_t> efforts_;  // one a driver in the model's order: index into Workspace::effort
   BodyMotionFinder motion_;
   ReactionFinder reaction_;
   std::vector<RecordedChannel> table_;
