@@ -25,11 +25,13 @@ constexpr std::size_t kMostEntries = 400;
 constexpr std::size_t kPassageNodes = 4;
 // The estimate is that of a polynomial two orders lower, which is off by far more than the one that is used.
 constexpr double kTrustedEstimate = 100.0;
+// A motion continued from slopes that rounding has moved is never known better than this, relative to its size.
+constexpr double kFinestTolerance = 1e-11;
 
 }  // namespace
 
 SingularPassage::SingularPassage(std::size_t n_components, double tolerance)
-    : tolerance_(tolerance),
+    : tolerance_(std::max(tolerance, kFinestTolerance)),
       ring_(kMostEntries, {0.0, 0.0, std::vector<double>(n_components), std::vector<double>(n_components)}) {
   nodes_.reserve(kPassageNodes);
 }
