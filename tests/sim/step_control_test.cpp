@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace gudgeon {
 namespace {
@@ -15,15 +17,16 @@ namespace {
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kStep = 0.01;
 
-// A step over which nothing moves; only the last stage has slopes, which weigh 1/66 in the error and nothing at the
-// end. So the estimated errors are those given.
-Tsitouras make_step(const std::vector<double>& y, const std::vector<double>& errors, double h = kStep) {
-  Tsitouras stepper(y.size(), 0);
-  stepper.begin(0.0, y, std::vector<double>(y.size(), 0.0));
-  stepper.attempt(h, [&](int stage, double, const double*, double* slope) {
-    for (std::size_t i = 0; i < y.size(); ++i) slope[i] = stage == 6 ? 66.0 * errors[i] / h : 0.0;
-  });
-  return stepper;
+// A step over which nothing moves, with errors as given.
+struct StillStep {
+  std::vector<double> y;
+  std::vector<double> errors;
+  double h = kStep;
+  operator AttemptedStep() const { return {h, y, y, errors}; }
+};
+
+StillStep make_step(std::vector<double> y, std::vector<double> errors, double h = kStep) {
+  return {std::move(y), std::move(errors), h};
 }
 
 Study make_study() {

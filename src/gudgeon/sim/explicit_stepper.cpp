@@ -27,7 +27,7 @@ bool ExplicitStepper::attempt(double longest, double left) {
   if (h >= left * (1.0 - 1e-12)) h = left;  // no sliver of a step before a milestone
   attempted_ = h;
   end_at(h);
-  return control_.accepts(formula_);
+  return control_.accepts({h, formula_.start(), formula_.end(), formula_.error()});
 }
 
 void ExplicitStepper::end_at(double h) {

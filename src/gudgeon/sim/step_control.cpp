@@ -27,31 +27,31 @@ StepControl::StepControl(const ErrorTolerance& tolerance, double first_step)
     : tolerance_(&tolerance), next_(first_step) {}
 
 // Root mean square of the local errors against their tolerances; not finite when anything is not.
-double StepControl::find_error(const Tsitouras& stepper) const {
+double StepControl::find_error(const AttemptedStep& step) const {
   const std::size_t n_controlled = tolerance_->n_controlled();
   double sum = 0.0;
-  for (std::size_t i = 0; i < stepper.end().size(); ++i) {
-    sum += 0.0 * stepper.end()[i];  // an infinite component would make its own tolerance infinite
+  for (std::size_t i = 0; i < step.end.size(); ++i) {
+    sum += 0.0 * step.end[i];  // an infinite component would make its own tolerance infinite
     if (i >= n_controlled) continue;
-    const double size = std::max(std::abs(stepper.start()[i]), std::abs(stepper.end()[i]));
-    const double ratio = stepper.error()[i] / tolerance_->find(i, size);
+    const double size = std::max(std::abs(step.start[i]), std::abs(step.end[i]));
+    const double ratio = step.error[i] / tolerance_->find(i, size);
     sum += ratio * ratio;
   }
   const auto count = static_cast<double>(std::max<std::size_t>(n_controlled, 1));
   return std::max(std::sqrt(sum / count), kLeastError);
 }
 
-bool StepControl::accepts(const Tsitouras& stepper) {
-  const double error = find_error(stepper);
+bool StepControl::accepts(const AttemptedStep& step) {
+  const double error = find_error(step);
   if (!std::isfinite(error)) {
-    next_ = kLeastChange * stepper.step();
+    next_ = kLeastChange * step.h;
     return false;
   }
   const double log_error = std::log(error);
   const double change = kSafety * std::exp(kLastErrorExponent * log_last_error_ - kErrorExponent * log_error);
   const bool accepted = error <= 1.0;
   // A rejected step must shrink.
-  next_ = stepper.step() * std::clamp(change, kLeastChange, accepted ? kMostChange : kSafety);
+  next_ = step.h * std::clamp(change, kLeastChange, accepted ? kMostChange : kSafety);
   if (accepted) log_last_error_ = std::max(log_error, kLeastLogError);
   return accepted;
 }

@@ -5,11 +5,19 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include "gudgeon/sim/error_tolerance.h"
-#include "gudgeon/sim/tsitouras.h"
 
 namespace gudgeon {
+
+/// A step that was tried: its length [s], the states at its ends, and the estimated local error of each.
+struct AttemptedStep {
+  double h;
+  std::span<const double> start;
+  std::span<const double> end;
+  std::span<const double> error;
+};
 
 /// Proportional-integral control of the step by its local error, Hairer & Wanner 1996, IV.2.
 class StepControl {
@@ -21,7 +29,7 @@ class StepControl {
   [[nodiscard]] double next_step() const { return next_; }
 
   /// Whether the attempted step keeps the tolerance; proposes the next length either way.
-  bool accepts(const Tsitouras& stepper);
+  bool accepts(const AttemptedStep& step);
 
   /// The step kept the tolerance but could not be used for another reason.
   void shorten(double h);
@@ -33,7 +41,7 @@ class StepControl {
   void note_step(double h);
 
  private:
-  [[nodiscard]] double find_error(const Tsitouras& stepper) const;
+  [[nodiscard]] double find_error(const AttemptedStep& step) const;
 
   const ErrorTolerance* tolerance_;
   double next_;
