@@ -12,10 +12,10 @@
 
 #include "bench/hand_written/nine_bar.h"
 #include "bench/paired_rounds.h"
-#include "bench/same_state.h"
 #include "bench/spread_columns.h"
 #include "bench/textbook/maximal_form.h"
 #include "tests/oracle/mechanisms.h"
+#include "tests/oracle/same_state.h"
 
 namespace gudgeon::bench {
 namespace {
@@ -31,8 +31,8 @@ struct EvalCase {
   bool dense = true;  // the dense form is left out where it would take seconds
 };
 
-Contestant make_engine(const EvalCase& at, const SameState& state) {
-  auto engine = std::make_shared<EngineAt>(at.mechanism, state);
+Contestant make_engine(const EvalCase& at, const oracle::SameState& state) {
+  auto engine = std::make_shared<oracle::EngineAt>(at.mechanism, state);
   // A bristle half way to slipping, so that it moves.
   for (const Contact& contact : engine->system.tables.contacts) {
     if (contact.bristle >= 0) {
@@ -47,7 +47,7 @@ Contestant make_engine(const EvalCase& at, const SameState& state) {
   });
 }
 
-Contestant make_textbook(const EvalCase& at, const SameState& state, textbook::SaddleSolver::Kind kind) {
+Contestant make_textbook(const EvalCase& at, const oracle::SameState& state, textbook::SaddleSolver::Kind kind) {
   auto form = std::make_shared<textbook::MaximalForm>(at.mechanism, kPaperFeedback, kind);
   form->latches = state.latches;
   auto y = std::make_shared<std::vector<double>>(form->make_state(state.assembly.poses));
@@ -59,7 +59,7 @@ Contestant make_textbook(const EvalCase& at, const SameState& state, textbook::S
   });
 }
 
-Contestant make_hand_written(const EvalCase& at, const SameState& state) {
+Contestant make_hand_written(const EvalCase& at, const oracle::SameState& state) {
   using hand_written::NineBar;
   auto press = std::make_shared<NineBar>(NineBar{state.latches[0], state.latches[1]});
   auto y = std::make_shared<std::vector<double>>(2 * NineBar::kCoordinates);
@@ -92,7 +92,8 @@ void put_columns(benchmark::State& bench, const PairedRounds& rounds) {
 }
 
 void eval(benchmark::State& bench, const EvalCase& at) {
-  const SameState state = at.in_contact ? make_pressed_state(at.mechanism) : make_free_state(at.mechanism);
+  const oracle::SameState state =
+      at.in_contact ? oracle::make_pressed_start(at.mechanism) : oracle::make_free_start(at.mechanism);
   std::vector<Contestant> contestants{make_engine(at, state)};
   if (at.dense) contestants.push_back(make_textbook(at, state, textbook::SaddleSolver::Kind::dense));
   contestants.push_back(make_textbook(at, state, textbook::SaddleSolver::Kind::sparse));

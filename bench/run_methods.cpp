@@ -11,10 +11,10 @@
 #include "bench/integrators/bdf_run.h"
 #include "bench/integrators/pair_run.h"
 #include "bench/run_cases.h"
-#include "bench/same_state.h"
 #include "gudgeon/sim/motion_integrator.h"
 #include "gudgeon/system/body_motion.h"
 #include "gudgeon/system/load_forces.h"
+#include "tests/oracle/same_state.h"
 
 namespace gudgeon::bench {
 

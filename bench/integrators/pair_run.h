@@ -61,7 +61,7 @@ class PairRun {
       h = std::min({control_.next_step(), longest_, end - time_});
       if (h < kShortest && h < end - time_) return false;
       attempt(h);
-      if (control_.accepts(formula_)) break;
+      if (control_.accepts({formula_.step(), formula_.start(), formula_.end(), formula_.error()})) break;
     }
     const auto look = [this](double t, double* y) {
       formula_.interpolate((t - formula_.start_time()) / formula_.step(), equations_.n_states(), y);

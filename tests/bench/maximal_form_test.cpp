@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/same_state.h"
 #include "gudgeon/system/body_motion.h"
 #include "tests/oracle/mechanisms.h"
+#include "tests/oracle/same_state.h"
 
 namespace gudgeon {
 namespace {
@@ -33,8 +33,8 @@ std::vector<Mechanism> list_constant_mechanisms() {
 }
 
 // Accelerations of every body's centre, and the rate at which energy is put in and lost.
-void expect_same_slopes(const Mechanism& mechanism, const bench::SameState& state, textbook::SaddleSolver::Kind kind) {
-  bench::EngineAt engine(mechanism, state);
+void expect_same_slopes(const Mechanism& mechanism, const oracle::SameState& state, textbook::SaddleSolver::Kind kind) {
+  oracle::EngineAt engine(mechanism, state);
   engine.equations.eval(0.0, engine.y.data(), engine.slope.data());
   BodyMotionFinder finder(engine.system);
   const std::vector<BodyMotion>& motions = finder.update(engine.equations.workspace);
@@ -64,9 +64,9 @@ void expect_same_slopes(const Mechanism& mechanism, const bench::SameState& stat
 TEST(MaximalForm, SlopesAreTheEngines) {
   for (const Mechanism& mechanism : list_constant_mechanisms()) {
     for (const auto kind : {textbook::SaddleSolver::Kind::dense, textbook::SaddleSolver::Kind::sparse}) {
-      expect_same_slopes(mechanism, bench::make_free_state(mechanism), kind);
-      if (!bench::make_free_state(mechanism).latches.empty()) {
-        expect_same_slopes(mechanism, bench::make_pressed_state(mechanism), kind);
+      expect_same_slopes(mechanism, oracle::make_free_start(mechanism), kind);
+      if (!oracle::make_free_start(mechanism).latches.empty()) {
+        expect_same_slopes(mechanism, oracle::make_pressed_start(mechanism), kind);
       }
     }
   }
@@ -74,7 +74,7 @@ TEST(MaximalForm, SlopesAreTheEngines) {
 
 TEST(MaximalForm, EnergyGoesWhereTheSlopesSay) {
   const Mechanism mechanism = oracle::make_nine_bar();
-  const bench::SameState state = bench::make_pressed_state(mechanism);
+  const oracle::SameState state = oracle::make_pressed_start(mechanism);
   textbook::MaximalForm form(mechanism, {}, textbook::SaddleSolver::Kind::dense);
   form.latches = state.latches;
   const std::vector<double> y = form.make_state(state.assembly.poses);

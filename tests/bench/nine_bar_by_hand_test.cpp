@@ -7,8 +7,8 @@
 #include <random>
 
 #include "bench/hand_written/nine_bar.h"
-#include "bench/same_state.h"
 #include "tests/oracle/mechanisms.h"
+#include "tests/oracle/same_state.h"
 
 namespace gudgeon {
 namespace {
@@ -17,10 +17,10 @@ namespace {
 constexpr double kHandTolerance = 1e-10;
 
 // At the state and at states some micrometres beside it, where closures do not hold but both take them as they are.
-void expect_same_press(const bench::SameState& state) {
+void expect_same_press(const oracle::SameState& state) {
   using hand_written::NineBar;
   const Mechanism mechanism = oracle::make_nine_bar();
-  bench::EngineAt engine(mechanism, state);
+  oracle::EngineAt engine(mechanism, state);
   NineBar press{state.latches[0], state.latches[1]};
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -47,10 +47,10 @@ void expect_same_press(const bench::SameState& state) {
   }
 }
 
-TEST(NineBarByHand, InFlight) { expect_same_press(bench::make_free_state(oracle::make_nine_bar())); }
+TEST(NineBarByHand, InFlight) { expect_same_press(oracle::make_free_start(oracle::make_nine_bar())); }
 
 TEST(NineBarByHand, InContact) {
-  bench::SameState state = bench::make_pressed_state(oracle::make_nine_bar());
+  oracle::SameState state = oracle::make_pressed_start(oracle::make_nine_bar());
   expect_same_press(state);
   state.latches[0] = {};
   expect_same_press(state);

@@ -8,8 +8,8 @@
 
 #include <array>
 
-#include "bench/same_state.h"
 #include "tests/oracle/mechanisms.h"
+#include "tests/oracle/same_state.h"
 
 namespace gudgeon {
 namespace {
@@ -23,8 +23,9 @@ void expect_same_slider(double friction, bool in_contact) {
     auto* clearance = std::get_if<RevoluteClearance>(&joint.kind);
     if (clearance != nullptr && friction > 0.0) clearance->contact.friction = CoulombSmooth{friction, 1e-3};
   }
-  const bench::SameState state = in_contact ? bench::make_pressed_state(mechanism) : bench::make_free_state(mechanism);
-  bench::EngineAt engine(mechanism, state);
+  const oracle::SameState state =
+      in_contact ? oracle::make_pressed_start(mechanism) : oracle::make_free_start(mechanism);
+  oracle::EngineAt engine(mechanism, state);
   hand_written::SliderCrank by_hand(friction);
   by_hand.latches = state.latches;
   const BodyNode& rod = engine.system.topology.bodies[find_body(mechanism, "rod")];

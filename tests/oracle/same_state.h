@@ -9,7 +9,7 @@
 #include "gudgeon/sim/motion_equations.h"
 #include "gudgeon/system/poses.h"
 
-namespace gudgeon::bench {
+namespace gudgeon::oracle {
 
 struct SameState {
   Assembly assembly;  ///< poses of all bodies, frame first
@@ -17,9 +17,9 @@ struct SameState {
 };
 
 /// The start of the mechanism, every contact open.
-SameState make_free_state(const Mechanism& mechanism);
+SameState make_free_start(const Mechanism& mechanism);
 /// The start with every journal some micrometres deep in its bearing, moving further in, latched in contact.
-SameState make_pressed_state(const Mechanism& mechanism);
+SameState make_pressed_start(const Mechanism& mechanism);
 
 /// The compiled engine at such a state.
 struct EngineAt {
@@ -31,4 +31,4 @@ struct EngineAt {
   std::vector<double> slope;
 };
 
-}  // namespace gudgeon::bench
+}  // namespace gudgeon::oracle

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // States by their poses.
-#include "bench/same_state.h"
+#include "tests/oracle/same_state.h"
 
 #include "tests/oracle/textbook_start.h"
 
-namespace gudgeon::bench {
+namespace gudgeon::oracle {
 
-SameState make_free_state(const Mechanism& mechanism) {
+SameState make_free_start(const Mechanism& mechanism) {
   SameState state{assemble(mechanism), {}};
   for (const Joint& joint : mechanism.joints) {
     if (has_clearance(joint.kind)) state.latches.emplace_back();
@@ -16,9 +16,9 @@ SameState make_free_state(const Mechanism& mechanism) {
   return state;
 }
 
-SameState make_pressed_state(const Mechanism& mechanism) {
-  SameState state = make_free_state(mechanism);
-  const oracle::TextbookState pressed = oracle::make_pressed_state(mechanism);
+SameState make_pressed_start(const Mechanism& mechanism) {
+  SameState state = make_free_start(mechanism);
+  const TextbookState pressed = make_pressed_state(mechanism);
   for (std::size_t k = 1; k < mechanism.bodies.size(); ++k) {
     const oracle::TextbookBody& body = pressed.bodies[k];
     const Vec2 arm = make_rotation(body.angle) * mechanism.bodies[k].center_of_mass;
@@ -39,4 +39,4 @@ EngineAt::EngineAt(const Mechanism& mechanism, const SameState& at)
   equations.latches = at.latches;
 }
 
-}  // namespace gudgeon::bench
+}  // namespace gudgeon::oracle
