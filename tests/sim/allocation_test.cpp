@@ -78,6 +78,7 @@ struct Outcome {
   std::size_t n_allocations = 0;
   int n_steps = 0;
   int n_changes = 0;
+  int n_implicit = 0;
   bool failed = false;
 };
 
@@ -93,6 +94,7 @@ Outcome run_motion(const System& system, const Assembly& assembly, const Study& 
     outcome.failed = !motion.advance(end);
     motion.interpolate(motion.time() - 0.3 * motion.last_step(), y);
     ++outcome.n_steps;
+    outcome.n_implicit += motion.is_implicit() ? 1 : 0;
     outcome.n_changes += motion.changing_contact() ? 1 : 0;
   }
   outcome.n_allocations = count.stop();
@@ -121,6 +123,7 @@ TEST_P(Loop, OfThePressAllocatesNothing) {
     EXPECT_FALSE(outcome.failed);
     EXPECT_GE(outcome.n_steps, 1000) << "enough to have been everywhere";
     EXPECT_GE(outcome.n_changes, 20);
+    EXPECT_GE(outcome.n_implicit, 20) << "and in both kinds of step";
     EXPECT_EQ(outcome.n_allocations, 0U) << (worn ? "worn" : "unworn");
   }
 }

@@ -11,6 +11,7 @@
 
 #include "gudgeon/io/model_remarks.h"
 #include "gudgeon/report/number_format.h"
+#include "gudgeon/system/contact_force.h"
 
 namespace gudgeon {
 namespace {
@@ -98,6 +99,20 @@ std::vector<NamedText> describe_clearances(const Mechanism& mechanism) {
   return facts;
 }
 
+// What takes the steps, with what takes over from it where contacts make them short.
+std::string describe_integrator(const Mechanism& mechanism, Integrator integrator) {
+  if (integrator == Integrator::stiff) return "backward differentiation (stiff)";
+  const std::string pair = "Tsitouras 5(4)";
+  if (integrator == Integrator::explicit_pair) return pair;
+  const auto bends = [](const Joint& joint) {
+    const ContactProperties* contact = find_contact(joint.kind);
+    return contact != nullptr && has_bristle(contact->friction);
+  };
+  if (std::ranges::any_of(mechanism.joints, bends)) return pair + ", stiff where bristles are";
+  const auto touches = [](const Joint& joint) { return has_clearance(joint.kind); };
+  return std::ranges::any_of(mechanism.joints, touches) ? pair + ", implicit where contacts stick" : pair;
+}
+
 }  // namespace
 
 Scene make_scene(const Mechanism& mechanism) {
@@ -134,8 +149,7 @@ std::vector<NamedText> describe_study(const Mechanism& mechanism, const Study& s
                        study.deposition == Deposition::spread ? "over the contact arc" : "into one region");
     facts.emplace_back("Regions of a circumference", fmt::format("{}", study.regions));
   }
-  facts.emplace_back("Integrator",
-                     study.integrator == Integrator::stiff ? "backward differentiation (stiff)" : "Tsitouras 5(4)");
+  facts.emplace_back("Integrator", describe_integrator(mechanism, study.integrator));
   facts.emplace_back("Loops held by", study.stabilization == Stabilization::projection ? "projection" : "Baumgarte");
   facts.emplace_back("Local error",
                      fmt::format("{:g} relative, {:g} absolute", study.relative_tolerance, study.absolute_tolerance));

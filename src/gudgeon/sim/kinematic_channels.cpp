@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 
+#include "gudgeon/sim/motion_equations.h"
+
 namespace gudgeon {
 
 namespace {

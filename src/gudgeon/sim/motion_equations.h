@@ -54,6 +54,7 @@ class MotionEquations {
         n_bristles_(static_cast<std::size_t>(system.tables.n_bristles)),
         feedback_(feedback) {}
 
+  [[nodiscard]] const Tables& tables() const { return *tables_; }
   [[nodiscard]] std::size_t n_free() const { return n_free_; }
   [[nodiscard]] Feedback feedback() const { return feedback_; }
   /// Coordinates, rates and bristles: what the motion depends on; the integrals begin behind them.

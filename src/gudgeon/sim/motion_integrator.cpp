@@ -20,6 +20,8 @@ constexpr int kMostLandings = 50;
 constexpr double kProjectionShare = 0.1;
 // A step is at most this share of a cycle, so that no motion of the mechanism is jumped over.
 constexpr double kLargestStepShare = 0.02;
+// An implicit step that follows on explicit ones held short starts by so much longer.
+constexpr double kLonger = 2.0;
 // The first step is this share of a cycle; the error control finds the right one within a few.
 constexpr double kFirstStepShare = 1e-5;
 
@@ -60,6 +62,9 @@ MotionIntegrator::MotionIntegrator(const System& system, const Study& study, dou
     stiff_ = std::make_unique<StiffStepper>(equations_, statistics_, tolerance_, projects ? &projection_ : nullptr,
                                             longest_step_);
   }
+  if (study.integrator == Integrator::automatic && !system.tables.contacts.empty() && !stiff_) {
+    implicit_ = std::make_unique<ImplicitStepper>(equations_, statistics_, tolerance_, kFirstStepShare * cycle_time);
+  }
   stepper_ = explicit_ ? static_cast<Stepper*>(explicit_.get()) : stiff_.get();
 }
 
@@ -86,12 +91,26 @@ void MotionIntegrator::use(Stepper& stepper) {
   passage_.forget();
 }
 
-// After a step, where both steppers may be used.
+// After a step, where several steppers may be used.
 void MotionIntegrator::choose_stepper() {
-  if (!explicit_ || !stiff_ || last_step_ == 0.0) return;
+  if (last_step_ == 0.0) return;
+  if (implicit_) choose_implicit();
+  if (!explicit_ || !stiff_) return;
   if (stepper_ == explicit_.get()) {
-    if (watch_.note_explicit_step(last_step_, explicit_->find_stiffness())) use(*stiff_);
-  } else if (watch_.note_stiff_step(last_step_, statistics_.evaluations - n_evaluations_)) {
+    if (stiffness_watch_.note_explicit_step(last_step_, explicit_->find_stiffness())) use(*stiff_);
+  } else if (stiffness_watch_.note_stiff_step(last_step_, statistics_.evaluations - n_evaluations_)) {
+    use(*explicit_);
+  }
+}
+
+void MotionIntegrator::choose_implicit() {
+  if (stepper_ == explicit_.get()) {
+    if (!implicit_watch_.note_explicit_step(explicit_->find_stiffness())) return;
+    implicit_->propose(kLonger * last_step_);
+    use(*implicit_);
+  } else if (implicit_watch_.note_implicit_step(last_step_, statistics_.evaluations - n_evaluations_,
+                                                implicit_->find_fastest_rate())) {
+    explicit_->propose(last_step_);
     use(*explicit_);
   }
 }
@@ -107,7 +126,7 @@ bool MotionIntegrator::advance(double milestone) {
     ++statistics_.rejected_steps;
     if (stepper_->next_step() >= kSmallestStep) continue;
     if (!explicit_ || stepper_ == explicit_.get()) return false;
-    watch_.forget();
+    stiffness_watch_.forget();
     use(*explicit_);
     stepper_->begin(time_, y_, slope_, false);
   }
@@ -194,7 +213,8 @@ bool MotionIntegrator::land_on_change(const ContactChange& change) {
 void MotionIntegrator::turn_latch(std::size_t k) {
   ContactLatch& latch = equations_.latches[k];
   passage_.forget();
-  watch_.forget();
+  stiffness_watch_.forget();
+  implicit_watch_.forget();
   if (explicit_) use(*explicit_);
   continues_ = false;
   const bool has_bristle = system_.tables.contacts[k].bristle >= 0;

@@ -14,6 +14,8 @@
 #include "gudgeon/sim/contact_events.h"
 #include "gudgeon/sim/error_tolerance.h"
 #include "gudgeon/sim/explicit_stepper.h"
+#include "gudgeon/sim/implicit_stepper.h"
+#include "gudgeon/sim/implicit_watch.h"
 #include "gudgeon/sim/motion_equations.h"
 #include "gudgeon/sim/singular_passage.h"
 #include "gudgeon/sim/stiff_stepper.h"
@@ -45,6 +47,8 @@ class MotionIntegrator {
   /// Length of the last step [s]; zero after a stride over a singular position, which has no stages, and between two
   /// contacts that change at one instant.
   [[nodiscard]] double last_step() const { return last_step_; }
+  /// Whether the last step was implicit in the forces of contacts.
+  [[nodiscard]] bool is_implicit() const { return implicit_ && stepper_ == implicit_.get(); }
   /// Stages of a step at which contacts are sampled, and their weights [1] in an integral over it.
   [[nodiscard]] int n_stages() const { return static_cast<int>(stepper_->weights().size()); }
   [[nodiscard]] double find_weight(int stage) const { return stepper_->weights()[stage]; }
@@ -65,6 +69,7 @@ class MotionIntegrator {
  private:
   void use(Stepper& stepper);
   void choose_stepper();
+  void choose_implicit();
   bool pass_singular_position(double milestone);
   bool attempt_step(double longest, double left);
   void find_end_gaps();
@@ -84,9 +89,11 @@ class MotionIntegrator {
   Workspace scratch_;
   SolverStatistics statistics_;
   std::unique_ptr<ExplicitStepper> explicit_;  // the steppers that the study permits
+  std::unique_ptr<ImplicitStepper> implicit_;
   std::unique_ptr<StiffStepper> stiff_;
   Stepper* stepper_ = nullptr;  // the one at work
-  StiffnessWatch watch_;
+  StiffnessWatch stiffness_watch_;
+  ImplicitWatch implicit_watch_;
   std::int64_t n_evaluations_ = 0;  // before the last step
 
   double time_ = 0.0;

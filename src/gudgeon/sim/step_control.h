@@ -34,6 +34,9 @@ class StepControl {
   /// The step kept the tolerance but could not be used for another reason.
   void shorten(double h);
 
+  /// Takes this length for the next attempt [s].
+  void propose(double h) { next_ = h; }
+
   /// A contact has begun: its time scale is not that of free flight. Proposes the length that worked after the last
   /// onset.
   void note_onset();

@@ -17,6 +17,23 @@ double find_slip_speed(const ContactGap& gap, const RelativeMotion& motion) noex
          motion.bearing_rate * gap.bearing_lever;
 }
 
+NormalContact make_normal_contact(const Contact& contact, const ContactLatch& latch, const ContactGap& gap) noexcept {
+  constexpr double kTouching = std::numeric_limits<double>::min();  // [m] the least that counts as contact
+  return {std::max(gap.penetration, kTouching),
+          gap.penetration_rate,
+          std::max(latch.onset_speed, contact.onset_speed_floor),
+          contact.stiffness_factor * std::sqrt(gap.relative_radius),
+          contact.damping_factor,
+          gap.bearing_radius,
+          gap.journal_radius,
+          contact.width,
+          contact.contact_modulus};
+}
+
+NormalForce find_normal_force(const Contact& contact, const NormalContact& kinematics) noexcept {
+  return std::visit([&](const auto& law) { return law(kinematics); }, contact.normal_force);
+}
+
 Friction find_friction(const Contact& contact, double slip_speed, double bristle) noexcept {
   return std::visit([&](const auto& law) { return law(FrictionContact{slip_speed, bristle}); }, contact.friction);
 }
@@ -71,17 +88,7 @@ void update_contact_forces(const Contact& contact, const RelativeMotion& motion,
   forces.gap = gap;
 
   // Along the normal.
-  constexpr double kTouching = std::numeric_limits<double>::min();  // [m] the least that counts as contact
-  const NormalContact kinematics{std::max(gap.penetration, kTouching),
-                                 gap.penetration_rate,
-                                 std::max(latch.onset_speed, contact.onset_speed_floor),
-                                 contact.stiffness_factor * std::sqrt(gap.relative_radius),
-                                 contact.damping_factor,
-                                 gap.bearing_radius,
-                                 gap.journal_radius,
-                                 contact.width,
-                                 contact.contact_modulus};
-  const NormalForce normal = std::visit([&](const auto& law) { return law(kinematics); }, contact.normal_force);
+  const NormalForce normal = find_normal_force(contact, make_normal_contact(contact, latch, gap));
   forces.normal_force = normal.force;
   forces.elastic_energy = normal.elastic_energy;
   forces.damping_power = (normal.force - normal.elastic_force) * gap.penetration_rate;
@@ -114,6 +121,24 @@ void update_contact_forces(const Contact& contact, const RelativeMotion& motion,
     forces.surface_power +=
         torque * motion.bearing_rate - normal.force * (dot(gap.normal, motion.velocity) - gap.penetration_rate);
   }
+}
+
+ContactSlopes find_contact_slopes(const Contact& contact, const ContactLatch& latch, double bristle,
+                                  const ContactForces& forces) noexcept {
+  // Shares of the penetration and of the onset speed, and a slip [m/s] far below any regularisation: differences then
+  // have eight digits or, of friction, six.
+  constexpr double kShare = 1e-6;
+  constexpr double kSlip = 1e-9;
+  const NormalContact at = make_normal_contact(contact, latch, forces.gap);
+  NormalContact deeper = at;
+  NormalContact faster = at;
+  deeper.penetration *= 1.0 + kShare;
+  faster.penetration_rate += kShare * at.onset_speed;
+  const double coefficient = find_friction(contact, forces.slip_speed, bristle).coefficient;
+  const double next = find_friction(contact, forces.slip_speed + kSlip, bristle).coefficient;
+  return {(find_normal_force(contact, deeper).force - forces.normal_force) / (deeper.penetration - at.penetration),
+          (find_normal_force(contact, faster).force - forces.normal_force) / (kShare * at.onset_speed), coefficient,
+          (next - coefficient) / kSlip};
 }
 
 }  // namespace gudgeon

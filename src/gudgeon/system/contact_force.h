@@ -94,6 +94,18 @@ inline ContactForces find_contact_forces(const Contact& contact, const RelativeM
   return forces;
 }
 
+/// How the forces of a contact answer to its motion.
+struct ContactSlopes {
+  double force_by_penetration = 0.0;  ///< ∂F/∂δ [N/m]
+  double force_by_rate = 0.0;         ///< ∂F/∂δ̇ [N s/m]
+  double coefficient = 0.0;           ///< μ [1] of v's sign
+  double coefficient_by_slip = 0.0;   ///< dμ/dv [s/m]
+};
+
+/// By differences of the laws, at the forces that were last found for a contact that presses.
+ContactSlopes find_contact_slopes(const Contact& contact, const ContactLatch& latch, double bristle,
+                                  const ContactForces& forces) noexcept;
+
 /// Whether a law's force begins with a step as surfaces meet: its damping does not grow from nothing.
 bool steps_at_onset(const AnyNormalForce& normal_force);
 /// Whether a friction law has a bristle.

@@ -67,14 +67,17 @@ void add_slide_pairs(const Tables& tables, Workspace& ws) noexcept {
 
 void add_constant_loads(const Tables& tables, Workspace& ws) noexcept {
   const Coordinates& at = ws.coordinates;
+  const int unit_slide = tables.counts.unit_slide();
   double power = 0.0;
   for (const FieldTerm& field : tables.fields) {
     const Rotation r = at.rotation[field.turn];
     const double torque = at.slide[field.slide] * (field.cross * r.c - field.dot * r.s);
-    const double force = field.dot * r.c + field.cross * r.s;
     ws.equations[field.index_turn] += torque;
+    power += at.angle_rate[field.turn] * torque;
+    if (field.slide == unit_slide) continue;
+    const double force = field.dot * r.c + field.cross * r.s;
     ws.equations[field.index_slide] += force;
-    power += at.angle_rate[field.turn] * torque + at.slide_rate[field.slide] * force;
+    power += at.slide_rate[field.slide] * force;
   }
   for (const TurnTorque& torque : tables.torques) {
     ws.equations[torque.index] += torque.torque;
@@ -99,15 +102,16 @@ void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, W
 }
 
 // Virtual work of each row's force, handed down to the row it starts from.
-void add_point_loads(const Tables& tables, Workspace& ws) noexcept {
+inline void hand_loads_down(const Tables& tables, const Workspace& ws, Vec2* loads, double* equations) noexcept {
   const auto& rows = tables.points.rows();
+  const int unit_slide = tables.counts.unit_slide();
   for (std::size_t r = rows.size(); r-- > 0;) {
     const PointChain::Row& row = rows[r];
-    const Vec2 load = ws.point_loads[r];
+    const Vec2 load = loads[r];
     const Vec2 arm = ws.point_motions[r].arm;
-    ws.equations[tables.chain_index_turn[r]] += ws.coordinates.slide[row.slide] * cross(arm, load);
-    ws.equations[tables.chain_index_slide[r]] += dot(arm, load);
-    if (row.predecessor >= 0) ws.point_loads[row.predecessor] += load;
+    equations[tables.chain_index_turn[r]] += ws.coordinates.slide[row.slide] * cross(arm, load);
+    if (row.slide != unit_slide) equations[tables.chain_index_slide[r]] += dot(arm, load);
+    if (row.predecessor >= 0) loads[row.predecessor] += load;
   }
 }
 
@@ -126,7 +130,7 @@ void add_forces_at_points(const Tables& tables, double t, std::span<const Contac
   std::ranges::fill(ws.point_loads, Vec2{});
   add_contacts(tables, latches, ws);
   if (tables.loads.vary()) add_variable_loads(tables, t, ws);
-  add_point_loads(tables, ws);
+  hand_loads_down(tables, ws, ws.point_loads.data(), ws.equations.data());
 }
 
 // Position, velocity and velocity-dependent acceleration of a closure's sum.
@@ -145,11 +149,27 @@ inline void add_term(LoopMotion& loop, const Coordinates& at, const ClosureTerm&
   loop.bias += (-scale * rate * rate) * arm + (2.0 * sliding * rate) * perp(arm);
 }
 
+// The same of a constant length.
+inline void add_arm(LoopMotion& loop, double rate, Vec2 arm) noexcept {
+  loop.gap += arm;
+  loop.rate += rate * perp(arm);
+  loop.bias += (-rate * rate) * arm;
+}
+
+// Most terms have a constant length. They are worth a branch: all of what they would add for a slide goes to the one
+// bin, each addition waiting for the last.
 void add_point_closure(const Tables& tables, const ClosureRows& rows, LoopMotion& loop, Workspace& ws) noexcept {
   const Coordinates& at = ws.coordinates;
+  const int unit_slide = tables.counts.unit_slide();
   for (int t = rows.first_term; t < rows.end_term; ++t) {
     const ClosureTerm& term = tables.closure_terms[t];
     const Vec2 arm = at.rotation[term.turn] * term.vector;
+    if (term.slide == unit_slide) {
+      add_arm(loop, at.angle_rate[term.turn], arm);
+      ws.values[term.slot_turn[0]] -= arm.y;
+      ws.values[term.slot_turn[1]] += arm.x;
+      continue;
+    }
     add_term(loop, at, term, arm);
     ws.values[term.slot_turn[0]] -= at.slide[term.slide] * arm.y;
     ws.values[term.slot_turn[1]] += at.slide[term.slide] * arm.x;
@@ -232,6 +252,11 @@ void assemble_equations(const Tables& tables, double t, std::span<const ContactL
   add_forces_at_points(tables, t, latches, workspace);
   add_closures(tables, feedback, workspace);
   if (tables.drivers_accelerate) subtract_driven_accelerations(tables, workspace);
+}
+
+void add_point_loads(const Tables& tables, const Workspace& workspace, std::span<Vec2> loads,
+                     std::span<double> equations) noexcept {
+  hand_loads_down(tables, workspace, loads.data(), equations.data());
 }
 
 void update_closures(const Tables& tables, Workspace& workspace) noexcept {

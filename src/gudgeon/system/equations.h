@@ -15,4 +15,9 @@ namespace gudgeon {
 void assemble_equations(const Tables& tables, double t, std::span<const ContactLatch> latches, Feedback feedback,
                         Workspace& workspace) noexcept;
 
+/// Adds the virtual work of forces on the rows of the chain of points [N] to right-hand sides, at point motions that
+/// are up to date; one a row. A row's force is handed down to the row it starts from.
+void add_point_loads(const Tables& tables, const Workspace& workspace, std::span<Vec2> loads,
+                     std::span<double> equations) noexcept;
+
 }  // namespace gudgeon

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Steppers that remember nothing of the motion: each step by a Runge-Kutta pair, its length by the pair's error
+// estimate.
+#pragma once
+
+#include <algorithm>
+
+#include "gudgeon/sim/step_control.h"
+#include "gudgeon/sim/stepper.h"
+
+namespace gudgeon {
+
+/// What is left to a formula is to take a step and to tell of it.
+class ControlledStepper : public Stepper {
+ public:
+  ControlledStepper(MotionEquations& equations, SolverStatistics& statistics, const ErrorTolerance& tolerance,
+                    int n_stages, double first_step)
+      : Stepper(equations, statistics, n_stages), control_(tolerance, first_step) {}
+
+  bool attempt(double longest, double left) final {
+    double h = std::min(control_.next_step(), longest);
+    if (h >= left * (1.0 - 1e-12)) h = left;  // no sliver of a step before a milestone
+    attempted_ = h;
+    end_at(h);
+    return control_.accepts(describe_attempt());
+  }
+  void shorten() final { control_.shorten(attempted_); }
+  [[nodiscard]] double next_step() const final { return control_.next_step(); }
+  void note_onset() final { control_.note_onset(); }
+  /// Starts with a step of that length [s], whatever was proposed.
+  void propose(double h) { control_.propose(h); }
+  [[nodiscard]] bool evaluates_end() const final { return true; }
+
+ protected:
+  /// The last attempt; an error that is not finite where it failed.
+  [[nodiscard]] virtual AttemptedStep describe_attempt() const = 0;
+  void note_accepted(double h) { control_.note_step(h); }
+
+ private:
+  StepControl control_;
+  double attempted_ = 0.0;  // [s]
+};
+
+}  // namespace gudgeon

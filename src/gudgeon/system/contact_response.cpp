@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Unit forces through the equations of motion, and Woodbury's formula.
+#include "gudgeon/system/contact_response.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gudgeon/system/equations.h"
+
+namespace gudgeon {
+
+ContactResponse::ContactResponse(const Tables& tables)
+    : tables_(&tables),
+      n_free_(tables.counts.n_free()),
+      directions_(n_free_, std::min<Eigen::Index>(kRank, 2 * static_cast<Eigen::Index>(tables.contacts.size()))),
+      responses_(directions_.rows(), directions_.cols()),
+      solver_(kRank),
+      loads_(tables.points.rows().size()),
+      equations_(tables.n_indices) {}
+
+void ContactResponse::update(Workspace& workspace) noexcept {
+  n_pressing_ = 0;
+  for (std::size_t k = 0; k < tables_->contacts.size() && n_pressing_ < kMost; ++k) {
+    if (!(workspace.contact_forces[k].normal_force > 0.0)) continue;
+    const Contact& contact = tables_->contacts[k];
+    const ContactGap& gap = workspace.contact_forces[k].gap;
+    pressing_[n_pressing_] = k;
+    add_direction(workspace, contact, 2 * n_pressing_, gap.gradient, gap.bearing_gradient, gap.journal_gradient);
+    add_direction(workspace, contact, 2 * n_pressing_ + 1, perp(gap.normal), -gap.bearing_lever, gap.journal_lever);
+    ++n_pressing_;
+  }
+  const Eigen::Index rank = 2 * n_pressing_;
+  gains_.noalias() = directions_.leftCols(rank).transpose() * responses_.leftCols(rank);
+}
+
+void ContactResponse::add_direction(Workspace& workspace, const Contact& contact, Eigen::Index column, Vec2 force,
+                                    double bearing_torque, double journal_torque) noexcept {
+  std::ranges::fill(loads_, Vec2{});
+  std::ranges::fill(equations_, 0.0);
+  loads_[contact.journal_row] += force;
+  loads_[contact.bearing_row] -= force;
+  equations_[contact.journal_index] += journal_torque;
+  equations_[contact.bearing_index] += bearing_torque;
+  add_point_loads(*tables_, workspace, loads_, equations_);
+  for (Eigen::Index i = 0; i < n_free_; ++i) directions_(i, column) = equations_[i];
+  // Rows of closures feel no force.
+  std::fill(equations_.begin() + n_free_, equations_.end(), 0.0);
+  tables_->elimination.solve(workspace.values.data(), workspace.inverse_pivots.data(), equations_.data());
+  for (Eigen::Index i = 0; i < n_free_; ++i) responses_(i, column) = equations_[i];
+}
+
+ContactSlopes ContactResponse::find_slopes(std::size_t contact, std::span<const ContactLatch> latches,
+                                           const Workspace& workspace) const noexcept {
+  const ContactForces& forces = workspace.contact_forces[contact];
+  if (!(forces.normal_force > 0.0)) return {};
+  const Contact& at = tables_->contacts[contact];
+  return find_contact_slopes(at, latches[contact], at.bristle < 0 ? 0.0 : workspace.bristles[at.bristle], forces);
+}
+
+void ContactResponse::weigh(double tau, std::span<const ContactLatch> latches, const Workspace& workspace) noexcept {
+  const Eigen::Index rank = 2 * n_pressing_;
+  weights_.setZero(rank, rank);
+  for (int p = 0; p < n_pressing_; ++p) {
+    const ContactSlopes slopes = find_slopes(pressing_[p], latches, workspace);
+    const double pressure = tau * (slopes.force_by_rate + tau * slopes.force_by_penetration);
+    weights_(2 * p, 2 * p) = pressure;
+    weights_(2 * p + 1, 2 * p) = slopes.coefficient * pressure;
+    weights_(2 * p + 1, 2 * p + 1) =
+        tau * workspace.contact_forces[pressing_[p]].normal_force * slopes.coefficient_by_slip;
+  }
+  if (rank > 0) solver_.compute(Square::Identity(rank, rank) + weights_ * gains_);
+}
+
+void ContactResponse::correct(double* residual) const noexcept {
+  const Eigen::Index rank = 2 * n_pressing_;
+  if (rank == 0) return;
+  Eigen::Map<Eigen::VectorXd> r(residual, n_free_);
+  const Small asked = weights_ * (directions_.leftCols(rank).transpose() * r);
+  const Small forces = solver_.solve(asked);
+  r.noalias() -= responses_.leftCols(rank) * forces;
+}
+
+double ContactResponse::find_fastest_rate(std::span<const ContactLatch> latches,
+                                          const Workspace& workspace) const noexcept {
+  double fastest = 0.0;
+  for (int p = 0; p < n_pressing_; ++p) {
+    const ContactSlopes slopes = find_slopes(pressing_[p], latches, workspace);
+    const double normal = gains_(2 * p, 2 * p);
+    const double tangential = gains_(2 * p + 1, 2 * p + 1);
+    fastest = std::max(
+        {fastest, std::sqrt(std::abs(slopes.force_by_penetration * normal)), std::abs(slopes.force_by_rate * normal),
+         std::abs(workspace.contact_forces[pressing_[p]].normal_force * slopes.coefficient_by_slip * tangential)});
+  }
+  return fastest;
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How accelerations answer to the forces of pressing contacts, and these to the motion.
+#pragma once
+
+#include <Eigen/Dense>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "gudgeon/system/tables.h"
+#include "gudgeon/system/workspace.h"
+
+namespace gudgeon {
+
+/// The stiff part of the Jacobian, of two directions a contact. With b the generalized force of a unit pressure or unit
+/// friction, by virtual work also what makes δ̇ and v of the rates, and S the solution of the equations of motion, a
+/// change Δa of the accelerations that acts for a time τ changes the accelerations by
+///   J Δa = −S B C Bᵀ Δa,   C = [F_δ̇ τ + F_δ τ², 0; μ (F_δ̇ τ + F_δ τ²), F μ' τ] of each contact.
+/// As J has the rank of B, (I − J)⁻¹ costs a system of two equations a contact (Woodbury). Contacts beyond kMost are
+/// left out. Allocates nothing after construction.
+class ContactResponse {
+ public:
+  static constexpr int kMost = 8;  ///< contacts
+
+  explicit ContactResponse(const Tables& tables);
+
+  /// B and S B where the workspace was last evaluated, for the contacts that press there.
+  void update(Workspace& workspace) noexcept;
+  /// C for the time τ [s], with the forces of the workspace's last evaluation.
+  void weigh(double tau, std::span<const ContactLatch> latches, const Workspace& workspace) noexcept;
+  /// Replaces what an acceleration lacks, f(a) − a, by (I − J)⁻¹ (f(a) − a); n_free components.
+  void correct(double* residual) const noexcept;
+
+  /// [1/s] The fastest rate at which slips and penetrations come to rest or swing, at the forces of the workspace.
+  [[nodiscard]] double find_fastest_rate(std::span<const ContactLatch> latches,
+                                         const Workspace& workspace) const noexcept;
+
+ private:
+  static constexpr int kRank = 2 * kMost;
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kRank, kRank>;
+  using Small = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kRank, 1>;
+
+  void add_direction(Workspace& workspace, const Contact& contact, Eigen::Index column, Vec2 force,
+                     double bearing_torque, double journal_torque) noexcept;
+  [[nodiscard]] ContactSlopes find_slopes(std::size_t contact, std::span<const ContactLatch> latches,
+                                          const Workspace& workspace) const noexcept;
+
+  const Tables* tables_;
+  Eigen::Index n_free_;
+  int n_pressing_ = 0;
+  std::array<std::size_t, kMost> pressing_{};
+  Eigen::MatrixXd directions_;          // B, a column a direction: pressure and friction of the first contact ...
+  Eigen::MatrixXd responses_;           // S B
+  Square gains_;                        // Bᵀ S B
+  Square weights_;                      // C
+  Eigen::PartialPivLU<Square> solver_;  // of I + C Bᵀ S B
+  std::vector<Vec2> loads_;
+  std::vector<double> equations_;
+};
+
+}  // namespace gudgeon

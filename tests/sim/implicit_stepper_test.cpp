@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Implicit steps of a press whose journals stick, against explicit ones that are short enough.
+#include "gudgeon/sim/implicit_stepper.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gudgeon/sim/explicit_stepper.h"
+#include "gudgeon/sim/motion_integrator.h"
+#include "tests/oracle/mechanisms.h"
+
+namespace gudgeon {
+namespace {
+
+constexpr double kFirstStep = 1e-6;  // [s]
+
+// Stages are solved to a share of the tolerance: here, as well as rounding lets them.
+Study make_tight_study() {
+  Study study;
+  study.relative_tolerance = 1e-10;
+  study.absolute_tolerance = 1e-12;
+  return study;
+}
+
+// The nine-bar some steps after its motion became one for implicit steps: with a journal that sticks.
+struct Press {
+  Press() {
+    MotionIntegrator motion(system, study, 1.0);
+    motion.begin(make_state(system, assembly));
+    for (int n_implicit = 0; n_implicit < 10; n_implicit = motion.is_implicit() ? n_implicit + 1 : 0)
+      motion.advance(1.0);
+    equations.latches = motion.equations().latches;
+    time = motion.time();
+    y = motion.y();
+    slope.resize(y.size());
+    equations.eval(time, y.data(), slope.data());
+  }
+
+  Study study;
+  Study tight = make_tight_study();
+  Mechanism mechanism = oracle::make_nine_bar();
+  Assembly assembly = assemble(mechanism);
+  System system = compile(mechanism, assembly);
+  MotionEquations equations{system, {}};
+  double time = 0.0;  // [s]
+  std::vector<double> y;
+  std::vector<double> slope;
+  ErrorTolerance tolerance{tight, static_cast<std::size_t>(system.tables.counts.n_free_turns), 2 * equations.n_free()};
+  SolverStatistics statistics;
+};
+
+struct FinishedMotion {
+  std::vector<double> y;
+  std::vector<double> middle;  // by dense output of the last step
+};
+
+// Goes on for `duration` in n steps.
+template <class Stepper>
+FinishedMotion run_steps(double duration, int n) {
+  Press press;
+  Stepper stepper(press.equations, press.statistics, press.tolerance, kFirstStep);
+  std::vector<double> y = press.y;
+  std::vector<double> slope = press.slope;
+  for (int k = 0; k < n; ++k) {
+    stepper.begin(press.time + duration * k / n, y, slope, k > 0);
+    stepper.end_at(duration / n);
+    stepper.accept();
+    y = stepper.end();
+    slope = stepper.end_slope();
+  }
+  FinishedMotion motion{y, std::vector<double>(y.size())};
+  stepper.dense().interpolate(0.5, y.size(), motion.middle.data());
+  return motion;
+}
+
+// Largest difference of coordinates and rates, against their own sizes.
+double find_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size() - kEnergyIntegrals; ++i) {
+    const double difference = std::abs(a[i] - b[i]) / std::max(std::abs(b[i]), 1e-3);
+    if (!(difference <= largest)) largest = difference;  // keeps what is not a number, too
+  }
+  return largest;
+}
+
+constexpr double kDuration = 1e-4;  // [s] over which the journal sticks
+
+TEST(ImplicitStepper, ConvergesToWhatExplicitStepsConvergeTo) {
+  const FinishedMotion exact = run_steps<ExplicitStepper>(kDuration, 1000);
+  const auto find_error = [&](int n) { return find_difference(run_steps<ImplicitStepper>(kDuration, n).y, exact.y); };
+  // Of the order 5 friction leaves what stages of order 2 have where it is stiff: at least 3.
+  EXPECT_LT(find_error(12), 1e-6);
+  EXPECT_LT(find_error(24), find_error(12) / 6.0);
+  EXPECT_LT(find_error(48), find_error(24) / 6.0);
+}
+
+TEST(ImplicitStepper, CarriesIntegralsAlong) {
+  const FinishedMotion exact = run_steps<ExplicitStepper>(kDuration, 1000);
+  const FinishedMotion motion = run_steps<ImplicitStepper>(kDuration, 24);
+  for (std::size_t i = exact.y.size() - kEnergyIntegrals; i < exact.y.size(); ++i) {
+    EXPECT_NEAR(motion.y[i], exact.y[i], 1e-6 * exact.y.back()) << "of all that was exchanged; integral " << i;
+  }
+}
+
+TEST(ImplicitStepper, StaysStableWhereExplicitStepsDoNot) {
+  const FinishedMotion exact = run_steps<ExplicitStepper>(kDuration, 1000);
+  const double expected = find_difference(run_steps<ExplicitStepper>(kDuration, 6).y, exact.y);
+  EXPECT_LT(find_difference(run_steps<ImplicitStepper>(kDuration, 6).y, exact.y), 1e-3 * expected);
+}
+
+TEST(ImplicitStepper, DenseOutputMeetsTheMotion) {
+  const FinishedMotion step = run_steps<ImplicitStepper>(kDuration, 12);
+  const FinishedMotion exact = run_steps<ExplicitStepper>(kDuration * 23.0 / 24.0, 1000);
+  EXPECT_LT(find_difference(step.middle, exact.y), 1e-5);
+}
+
+TEST(ImplicitStepper, EndsWithTheSlopeOfItsEnd) {
+  Press press;
+  ImplicitStepper stepper(press.equations, press.statistics, press.tolerance, kFirstStep);
+  stepper.begin(press.time, press.y, press.slope, false);
+  stepper.end_at(5e-6);
+  std::vector<double> slope(press.slope.size());
+  press.equations.eval(press.time + 5e-6, stepper.end().data(), slope.data());
+  for (std::size_t i = 0; i < slope.size(); ++i) EXPECT_EQ(stepper.end_slope()[i], slope[i]) << i;
+}
+
+TEST(ImplicitStepper, CountsItsEvaluations) {
+  Press press;
+  ImplicitStepper stepper(press.equations, press.statistics, press.tolerance, kFirstStep);
+  stepper.begin(press.time, press.y, press.slope, false);
+  EXPECT_EQ(press.statistics.evaluations, 1) << "for the contacts' answer";
+  stepper.end_at(5e-6);
+  EXPECT_GE(press.statistics.evaluations, 1 + 6) << "one a stage at least";
+  EXPECT_LE(press.statistics.evaluations, 1 + 6 * 6) << "with few corrections";
+}
+
+TEST(ImplicitStepper, AStateWithoutASlopeIsRejected) {
+  Press press;
+  ImplicitStepper stepper(press.equations, press.statistics, press.tolerance, kFirstStep);
+  press.y.front() = std::nan("");
+  stepper.begin(press.time, press.y, press.slope, false);
+  EXPECT_FALSE(stepper.attempt(1e-6, 1.0));
+  EXPECT_LT(stepper.next_step(), 1e-6);
+}
+
+}  // namespace
+}  // namespace gudgeon
