@@ -138,7 +138,7 @@ std::vector<Method> make_methods(const RunCase& at) {
       return run_engine(at, integrator, stabilization, tolerance, horizon);
     };
   };
-  std::vector<Method> methods{{"gudgeon", engine(Integrator::explicit_pair, Stabilization::projection)}};
+  std::vector<Method> methods{{"gudgeon", engine(Integrator::automatic, Stabilization::projection)}};
   const std::size_t n_bodies = at.mechanism.bodies.size();
   constexpr std::size_t kMostForDense = 25;  // bodies; beyond them one evaluation takes too long
   if (n_bodies <= kMostForDense) {
