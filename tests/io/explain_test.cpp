@@ -97,7 +97,7 @@ TEST(Explain, WritesNestedDampingSoThatItReadsBack) {
 
 TEST(Explain, WritesOutDefaults) {
   const std::string text = explain(make_every_kind(), {});
-  for (const char* line : {"relative_tolerance = 1e-07", "warm_up_cycles = 0", "deposition = \"spread\"",
+  for (const char* line : {"relative_tolerance = 1e-06", "warm_up_cycles = 0", "deposition = \"spread\"",
                            "onset_speed_floor = \"0.001 m/s\"", "normal_direction = \"gap_gradient\""}) {
     EXPECT_NE(text.find(line), std::string::npos) << line;
   }

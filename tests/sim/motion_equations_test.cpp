@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gudgeon/results/run_record.h"
 #include "gudgeon/system/body_motion.h"
 #include "tests/oracle/mechanisms.h"
 
@@ -135,6 +136,28 @@ TEST(MotionEquations, PowersBalanceTheChangeOfEnergy) {
     };
     const double rate = (energy_after(dt) - energy_after(-dt)) / (2.0 * dt);
     EXPECT_NEAR(rate, expected, 1e-5 * exchanged) << mechanism.name;
+  }
+}
+
+// From the bodies' own motion, with the signs of the ledger.
+TEST(MotionEquations, ResidualIsWhatTheLedgerIsOffBy) {
+  for (const Mechanism& mechanism : oracle::make_all_mechanisms()) {
+    Evaluated at(mechanism);
+    const double energy = at.find_energy();
+    EXPECT_NEAR(at.equations.find_energy(), energy, 1e-12 * (1.0 + std::abs(energy))) << mechanism.name;
+    EnergyLedger ledger;
+    ledger.kinetic = energy;
+    ledger.initial_energy = at.equations.initial_energy = 0.25 * energy + 3.0;
+    double* integral = at.y.data() + at.equations.n_states();
+    ledger.driver_work = integral[kDriverWork] = 1.0;
+    ledger.load_work = integral[kLoadWork] = 20.0;
+    ledger.damper_loss = integral[kDamperLoss] = 300.0;
+    ledger.contact_damping = integral[kContactDamping] = 4e3;
+    ledger.friction = integral[kFrictionLoss] = 5e4;
+    ledger.surface_work = integral[kSurfaceWork] = 6e5;
+    integral[kExchanged] = 7e6;
+    const double rounding = 1e-12 * (1e6 + std::abs(energy));
+    EXPECT_NEAR(at.equations.find_residual(at.y.data()), ledger.residual(), rounding) << mechanism.name;
   }
 }
 

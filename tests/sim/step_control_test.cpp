@@ -22,11 +22,12 @@ struct StillStep {
   std::vector<double> y;
   std::vector<double> errors;
   double h = kStep;
-  operator AttemptedStep() const { return {h, y, y, errors}; }
+  double ledger_error = 0.0;
+  operator AttemptedStep() const { return {h, y, y, errors, ledger_error}; }
 };
 
 StillStep make_step(std::vector<double> y, std::vector<double> errors, double h = kStep) {
-  return {std::move(y), std::move(errors), h};
+  return {std::move(y), std::move(errors), h, 0.0};
 }
 
 Study make_study() {
@@ -112,6 +113,45 @@ TEST(StepControl, CarriedComponentsHaveNoTolerance) {
   StepControl control = make_control();
   EXPECT_TRUE(control.accepts(make_step({0.0, 0.0, 1.0}, {0.0, 0.0, 1e6})));
   EXPECT_DOUBLE_EQ(control.next_step(), 5.0 * kStep);
+}
+
+// A step whose states are this share of their tolerance off.
+StillStep make_ledger_step(double share, double ledger_error) {
+  return {{0.0, 0.0, 0.0}, {share * 1e-9, share * 1e-9, 0.0}, kStep, ledger_error};
+}
+
+TEST(StepControl, LedgerRejectsWhatKeepsTheTolerance) {
+  StepControl control = make_control();
+  EXPECT_TRUE(control.accepts(make_ledger_step(0.5, 0.99)));
+  EXPECT_FALSE(control.accepts(make_ledger_step(0.5, 1.01)));
+  EXPECT_LE(control.next_step(), 0.9 * kStep);
+}
+
+TEST(StepControl, LedgerShortensTheNextStepAsAnErrorOfThatSizeDoes) {
+  StepControl by_ledger = make_control();
+  StepControl by_error = make_control();
+  ASSERT_TRUE(by_ledger.accepts(make_ledger_step(0.2, 0.8)));
+  ASSERT_TRUE(by_error.accepts(make_ledger_step(0.8, 0.0)));
+  EXPECT_NEAR(by_ledger.next_step(), by_error.next_step(), 1e-12 * kStep);
+  StepControl calm = make_control();
+  ASSERT_TRUE(calm.accepts(make_ledger_step(0.8, 0.2)));
+  EXPECT_NEAR(calm.next_step(), by_error.next_step(), 1e-12 * kStep) << "the larger of both counts";
+}
+
+TEST(StepControl, LedgerAsksForNoMoreThanATenthOfTheTolerance) {
+  for (const double beyond : {2.0, 1e6, std::numeric_limits<double>::infinity()}) {
+    StepControl control = make_control();
+    EXPECT_TRUE(control.accepts(make_ledger_step(0.099, beyond))) << beyond;
+    EXPECT_FALSE(control.accepts(make_ledger_step(0.501, beyond))) << beyond;
+  }
+}
+
+TEST(StepControl, LedgerCannotPassWhatIsNotFinite) {
+  for (const double ledger_error : {0.0, 1.0, kNotANumber}) {
+    StepControl control = make_control();
+    EXPECT_FALSE(control.accepts(make_ledger_step(kNotANumber, ledger_error)));
+    EXPECT_DOUBLE_EQ(control.next_step(), 0.2 * kStep);
+  }
 }
 
 TEST(StepControl, OnsetRecallsTheStepAfterTheLastOne) {

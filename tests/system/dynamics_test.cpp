@@ -156,6 +156,8 @@ TEST_P(EngineAgainstTextbook, EnergiesAgree) {
     const double kinetic = find_kinetic_energy(states.system.mechanism, motions);
     const double potential = find_potential_energy(states.system.tables, states.workspace);
     EXPECT_NEAR(kinetic, expected.kinetic, kDynamicsTolerance * (1.0 + expected.kinetic));
+    const double by_tables = find_kinetic_energy(states.system.tables, states.workspace.coordinates);
+    EXPECT_NEAR(by_tables, expected.kinetic, kDynamicsTolerance * (1.0 + expected.kinetic));
     // Potential energies may differ by a constant.
     if (!datum) datum = potential - expected.potential;
     EXPECT_NEAR(potential - *datum, expected.potential, kDynamicsTolerance * (1.0 + std::abs(expected.potential)));

@@ -49,7 +49,7 @@ struct Study {
   Deposition deposition = Deposition::spread;
   bool compare_ideal = true;         ///< also run the mechanism with ideal joints
   int outputs_per_cycle = 500;       ///< recorded samples a cycle
-  double relative_tolerance = 1e-7;  ///< [1] local error a step, of each coordinate and rate
+  double relative_tolerance = 1e-6;  ///< [1] local error a step, of each coordinate and rate
   double absolute_tolerance = 1e-9;  ///< [rad, m, rad/s, m/s] local error a step near zero
   double max_step = 0.0;             ///< [s] largest step; 0 leaves it to the error control
   Integrator integrator = Integrator::automatic;

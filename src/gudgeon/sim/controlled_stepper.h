@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "gudgeon/sim/ledger_control.h"
 #include "gudgeon/sim/step_control.h"
 #include "gudgeon/sim/stepper.h"
 
@@ -24,7 +25,9 @@ class ControlledStepper : public Stepper {
     if (h >= left * (1.0 - 1e-12)) h = left;  // no sliver of a step before a milestone
     attempted_ = h;
     end_at(h);
-    return control_.accepts(describe_attempt());
+    AttemptedStep step = describe_attempt();
+    step.ledger_error = ledger_.find_error(equations_.find_residual(step.end.data()), find_exchanged(step.end));
+    return control_.accepts(step);
   }
   void shorten() final { control_.shorten(attempted_); }
   [[nodiscard]] double next_step() const final { return control_.next_step(); }
@@ -36,10 +39,19 @@ class ControlledStepper : public Stepper {
  protected:
   /// The last attempt; an error that is not finite where it failed.
   [[nodiscard]] virtual AttemptedStep describe_attempt() const = 0;
+  /// The workspace was evaluated at the start of the next step.
+  void begin_ledger(std::span<const double> y) noexcept {
+    ledger_.begin(equations_.find_residual(y.data()), find_exchanged(y));
+  }
   void note_accepted(double h) { control_.note_step(h); }
 
  private:
+  [[nodiscard]] double find_exchanged(std::span<const double> y) const noexcept {
+    return y[equations_.n_states() + kExchanged];
+  }
+
   StepControl control_;
+  LedgerControl ledger_;
   double attempted_ = 0.0;  // [s]
 };
 

@@ -51,11 +51,13 @@ void ImplicitStepper::begin(double time, const std::vector<double>& y, const std
   slopes_.front() = slope;
   pass_samples_on();
   has_past_ = has_past_ && continues;
-  if (has_response_ && continues) return;
-  ++statistics_.evaluations;
-  equations_.eval(time, y.data(), slope_.data());
-  response_.update(equations_.workspace);
-  has_response_ = true;
+  if (!has_response_ || !continues) {
+    ++statistics_.evaluations;
+    equations_.eval(time, y.data(), slope_.data());
+    response_.update(equations_.workspace);
+    has_response_ = true;
+  }
+  begin_ledger(y);
 }
 
 void ImplicitStepper::end_at(double h) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "gudgeon/system/body_motion.h"
 #include "gudgeon/system/dynamics.h"
 #include "gudgeon/system/system.h"
 
@@ -106,6 +107,20 @@ class MotionEquations {
                         power[kDamperLoss] + std::abs(power[kContactDamping]) + std::abs(power[kFrictionLoss]);
   }
 
+  /// Kinetic, potential and elastic energy [J] of the last evaluation.
+  [[nodiscard]] double find_energy() const noexcept {
+    return find_kinetic_energy(*tables_, workspace.coordinates) + find_potential_energy(*tables_, workspace) +
+           find_elastic_energy(workspace);
+  }
+
+  /// What the energy ledger is off by [J], Eq. E1; y's states must be those of the last evaluation.
+  [[nodiscard]] double find_residual(const double* y) const noexcept {
+    const double* integral = y + n_states();
+    const double given = integral[kDriverWork] + integral[kLoadWork] + integral[kSurfaceWork];
+    const double lost = integral[kDamperLoss] + integral[kContactDamping] + integral[kFrictionLoss];
+    return find_energy() - initial_energy - given + lost;
+  }
+
   /// The last evaluation's contact, as wear sees it.
   [[nodiscard]] ContactSample find_sample(std::size_t k) const noexcept {
     const Contact& contact = tables_->contacts[k];
@@ -128,6 +143,7 @@ class MotionEquations {
 
   std::vector<ContactLatch> latches;
   Workspace workspace;
+  double initial_energy = 0.0;  ///< [J] where the integrals are zero
 
  private:
   const Tables* tables_;

@@ -73,6 +73,7 @@ bool MotionIntegrator::begin(const State& start) {
   std::ranges::copy(start.v, y_.begin() + static_cast<std::ptrdiff_t>(equations_.n_free()));
   evaluate_again();
   settle();
+  equations_.initial_energy = equations_.find_energy();
   events_.find_gaps(equations_.workspace, gaps_);
   return std::ranges::all_of(slope_, [](double s) { return std::isfinite(s); });
 }
@@ -128,6 +129,7 @@ bool MotionIntegrator::advance(double milestone) {
     if (!explicit_ || stepper_ == explicit_.get()) return false;
     stiffness_watch_.forget();
     use(*explicit_);
+    evaluate_again();
     stepper_->begin(time_, y_, slope_, false);
   }
   accept(milestone);

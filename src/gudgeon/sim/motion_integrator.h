@@ -23,9 +23,9 @@
 
 namespace gudgeon {
 
-/// Advances one motion. Steps are controlled by their local error; a contact's change ends its step, an onset being
-/// located to 1e-10 s, just before the surfaces touch, and its speed latched; loop closures are projected when they
-/// need it. Allocates nothing after construction.
+/// Advances one motion. Steps are controlled by their local error and the energy ledger; a contact's change ends its
+/// step, an onset being located to 1e-10 s, just before the surfaces touch, and its speed latched; loop closures are
+/// projected when they need it. Allocates nothing after construction.
 class MotionIntegrator {
  public:
   MotionIntegrator(const System& system, const Study& study, double cycle_time);

@@ -20,6 +20,9 @@ constexpr double kLastErrorExponent = 0.04;
 // Errors below these say no more about the next step.
 constexpr double kLeastError = 1e-10;
 constexpr double kLeastLogError = -9.0;  // ln of 1.2e-4
+// For the ledger a step keeps at most this share of its tolerance. What it is off by may be rounding, or the work of
+// feedback, which no length of a step would mend.
+constexpr double kStrictest = 0.1;
 
 }  // namespace
 
@@ -42,7 +45,8 @@ double StepControl::find_error(const AttemptedStep& step) const {
 }
 
 bool StepControl::accepts(const AttemptedStep& step) {
-  const double error = find_error(step);
+  const double local_error = find_error(step);
+  const double error = std::max(local_error, std::min(step.ledger_error, local_error / kStrictest));
   if (!std::isfinite(error)) {
     next_ = kLeastChange * step.h;
     return false;

@@ -11,15 +11,17 @@
 
 namespace gudgeon {
 
-/// A step that was tried: its length [s], the states at its ends, and the estimated local error of each.
+/// A step that was tried: its length [s], the states at its ends, the estimated local error of each, and what it adds
+/// to the energy ledger's residual by what it may add [1].
 struct AttemptedStep {
   double h;
   std::span<const double> start;
   std::span<const double> end;
   std::span<const double> error;
+  double ledger_error = 0.0;
 };
 
-/// Proportional-integral control of the step by its local error, Hairer & Wanner 1996, IV.2.
+/// Proportional-integral control of the step by its local error, Hairer & Wanner 1996, IV.2, and by the energy ledger.
 class StepControl {
  public:
   /// What follows the components that have a tolerance is carried along without one. Holds on to the tolerance.
@@ -28,7 +30,8 @@ class StepControl {
   /// Length proposed for the next attempt [s].
   [[nodiscard]] double next_step() const { return next_; }
 
-  /// Whether the attempted step keeps the tolerance; proposes the next length either way.
+  /// Whether the attempted step keeps the tolerance, or as little as a tenth of it where the ledger needs that;
+  /// proposes the next length either way.
   bool accepts(const AttemptedStep& step);
 
   /// The step kept the tolerance but could not be used for another reason.

@@ -59,6 +59,29 @@ double find_kinetic_energy(const Mechanism& mechanism, const std::vector<BodyMot
   return energy;
 }
 
+double find_kinetic_energy(const Tables& tables, const Coordinates& at) noexcept {
+  double twice = 0.0;  // of a pair's two terms, of a term with itself
+  for (std::size_t k = 0; k < tables.turn_inertia.size(); ++k) {
+    twice += tables.turn_inertia[k] * at.angle_rate[k] * at.angle_rate[k];
+  }
+  double mixed = 0.0;
+  for (const TurnPair& pair : tables.turn_pairs) {
+    const double c = turn_products(pair.dot, pair.cross, at.rotation[pair.turn_i], at.rotation[pair.turn_j]).dot;
+    mixed += c * at.angle_rate[pair.turn_i] * at.angle_rate[pair.turn_j];
+  }
+  for (const SlidePair& pair : tables.slide_pairs) {
+    const auto [c, s] = turn_products(pair.dot, pair.cross, at.rotation[pair.turn_i], at.rotation[pair.turn_j]);
+    const double turning_p = at.slide[pair.slide_i] * at.angle_rate[pair.turn_i];
+    const double turning_q = at.slide[pair.slide_j] * at.angle_rate[pair.turn_j];
+    const double sliding_p = at.slide_rate[pair.slide_i];
+    const double sliding_q = at.slide_rate[pair.slide_j];
+    const double product =
+        (sliding_p * sliding_q + turning_p * turning_q) * c + (turning_p * sliding_q - sliding_p * turning_q) * s;
+    (pair.is_self ? twice : mixed) += product;
+  }
+  return 0.5 * twice + mixed;
+}
+
 double find_potential_energy(const Tables& tables, const Coordinates& coordinates) noexcept {
   double energy = 0.0;
   for (const FieldTerm& field : tables.fields) {

@@ -43,6 +43,8 @@ class BodyMotionFinder {
 
 /// Kinetic energy [J] of all bodies: ½ m v² + ½ I θ̇².
 double find_kinetic_energy(const Mechanism& mechanism, const std::vector<BodyMotion>& motions) noexcept;
+/// The same as ½ vᵀHv, from coordinates and rates alone: less work by far.
+double find_kinetic_energy(const Tables& tables, const Coordinates& coordinates) noexcept;
 
 /// Potential energy [J] of gravity, constant forces and torques, relative to the frame's origin and zero angles.
 double find_potential_energy(const Tables& tables, const Coordinates& coordinates) noexcept;

@@ -119,6 +119,7 @@ class TableCompiler {
   void fill_kinetic_tables() {
     const CoordinateCounts& counts = topology_.counts;
     tables_.constant_values.assign(tables_.n_slots, 0.0);
+    tables_.turn_inertia = kinetic_.turn_inertia;
     for (int turn = 0; turn < counts.frame_turn(); ++turn) {
       const int index = tables_.find_turn_index(turn);
       tables_.constant_values[find_slot(index, index)] += kinetic_.turn_inertia[turn];
@@ -147,6 +148,7 @@ class TableCompiler {
     const int index_j = tables_.find_turn_index(j);
     if (i == j) {
       tables_.constant_values[find_slot(index_i, index_i)] += products.dot;
+      tables_.turn_inertia[i] += products.dot;
       return;
     }
     tables_.turn_pairs.push_back({i, j, products.dot, products.cross, find_slot(index_i, index_j), index_i, index_j});

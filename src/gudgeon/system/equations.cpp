@@ -12,18 +12,6 @@ namespace gudgeon {
 
 namespace {
 
-// C and S of a pair of turned vectors, see TurnPair.
-struct TurnedProducts {
-  double dot;
-  double cross;
-};
-
-inline TurnedProducts turn_products(double dot, double cross, Rotation i, Rotation j) noexcept {
-  const double cosine = i.c * j.c + i.s * j.s;
-  const double sine = i.c * j.s - i.s * j.c;
-  return {dot * cosine - cross * sine, cross * cosine + dot * sine};
-}
-
 void add_turn_pairs(const Tables& tables, Workspace& ws) noexcept {
   const Rotation* rotation = ws.coordinates.rotation.data();
   const double* rate = ws.coordinates.angle_rate.data();

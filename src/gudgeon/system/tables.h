@@ -33,6 +33,18 @@ struct TurnPair {
   int index_j;
 };
 
+/// C and S of a pair.
+struct TurnedProducts {
+  double dot;
+  double cross;
+};
+
+inline TurnedProducts turn_products(double dot, double cross, Rotation i, Rotation j) noexcept {
+  const double cosine = i.c * j.c + i.s * j.s;
+  const double sine = i.c * j.s - i.s * j.c;
+  return {dot * cosine - cross * sine, cross * cosine + dot * sine};
+}
+
 /// The same for terms of which at least one is scaled by a slide.
 struct SlidePair {
   int turn_i;
@@ -120,6 +132,7 @@ struct Tables {
   int n_bristles = 0;  ///< contacts whose friction law has one
 
   std::vector<double> constant_values;  ///< matrix entries that never change; zeros elsewhere
+  std::vector<double> turn_inertia;     ///< of each turn's motion alone [kg m^2]: diagonal of H without slides
   std::vector<TurnPair> turn_pairs;
   std::vector<SlidePair> slide_pairs;
   std::vector<FieldTerm> fields;
@@ -131,7 +144,7 @@ struct Tables {
   std::vector<DrivenMotion> driven;        ///< one a driver: turns, slides, then those of angle closures
   bool drivers_accelerate = false;         ///< at least one driver does not move uniformly
   Elimination elimination;
-  std::vector<double> usual_pivots;        ///< of the elimination at the start; none until they are known
+  std::vector<double> usual_pivots;  ///< of the elimination at the start; none until they are known
 
   PointChain points;                  ///< that contacts and variable loads act on or look at
   std::vector<int> chain_index_turn;  ///< equation of each chain row's turn

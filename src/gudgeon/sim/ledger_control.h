@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// How much a step may add to what the energy ledger is off by.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace gudgeon {
+
+/// Keeps the ledger's residual below kLargestResidual of the energy exchanged. A step may add the same share of what it
+/// exchanges itself, and a part of what steps before it have left unused; what brings the residual nearer to zero is
+/// free. So a dead point, a rest or a knock, in which next to nothing is exchanged, does not hold its step short.
+class LedgerControl {
+ public:
+  /// Of the energy exchanged [1]. The ledger is judged by 1e-6; projections add to its residual, too.
+  static constexpr double kLargestResidual = 3e-7;
+  /// Of what is left, a step may use this share: the next ones may need it as well.
+  static constexpr double kShareOfRest = 0.1;
+
+  /// Where attempts start: the ledger's residual and the energy exchanged until there [J].
+  void begin(double residual, double exchanged) noexcept {
+    residual_ = std::abs(residual);
+    exchanged_ = exchanged;
+  }
+
+  /// What an attempt that ends with these has added to the residual's size, by what it may add [1].
+  [[nodiscard]] double find_error(double residual, double exchanged) const noexcept {
+    const double added = std::abs(residual) - residual_;
+    if (added <= 0.0) return 0.0;
+    const double rest = std::max(0.0, kLargestResidual * exchanged_ - residual_);
+    return added / (kLargestResidual * (exchanged - exchanged_) + kShareOfRest * rest);
+  }
+
+ private:
+  double residual_ = 0.0;
+  double exchanged_ = 0.0;
+};
+
+}  // namespace gudgeon
