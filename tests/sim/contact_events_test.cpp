@@ -69,6 +69,32 @@ TEST(ContactEvents, TouchThatIsOverWithinTheStepIsSeen) {
   }
 }
 
+// Inwards first, then over the rim of the bearing and back: the gap shrinks at both ends of the step.
+TEST(ContactEvents, TouchOnAWindingFlightIsSeen) {
+  const Vec2 start{-0.3, 0.05};
+  const Vec2 velocity{3.0, 10.0};
+  const double gravity = 100.0;
+  const auto find_eccentricity = [&](double t) {
+    return norm(start + t * velocity - Vec2{0.0, 0.5 * gravity * t * t});
+  };
+  double before = 0.0;
+  double after = 0.1;  // at its highest, over the rim
+  ASSERT_GT(find_eccentricity(after), kBallClearance);
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (before + after);
+    (find_eccentricity(middle) > kBallClearance ? after : before) = middle;
+  }
+  for (const double h : {0.14, 0.15, 0.16}) {
+    Attempt attempt(make_balls({{start, velocity}}, {0.0, -gravity}, kNoStiffness));
+    const auto change = attempt.find_change(h);
+    ASSERT_LT(attempt.start[0].penetration_rate, 0.0);
+    ASSERT_LT(attempt.end[0].penetration_rate, 0.0);
+    ASSERT_LT(attempt.end[0].penetration, 0.0);
+    ASSERT_TRUE(change) << h;
+    EXPECT_NEAR(change->share * h, before, kTimeTolerance);
+  }
+}
+
 TEST(ContactEvents, ComingNearIsNotTouching) {
   for (const double distance : {1e-2, 1e-6, 1e-12}) {
     Attempt attempt = throw_up(kBallClearance - distance);

@@ -168,13 +168,13 @@ int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, c
         may_rise(-start.penetration, -start.penetration_rate, -end.penetration, -end.penetration_rate);
     return opens || (may_open && start.penetration_rate < 0.0 && end.penetration_rate > 0.0) ? kParts : 0;
   }
+  // What the least depths would leave changes smoothly even where the surfaces do not. Where it could come and go
+  // within the step at the speeds of its ends, the flight may wind more than a cubic does.
+  const double furthest = h * std::max(std::abs(start.reach_rate), std::abs(end.reach_rate));
+  const bool is_near = furthest > -std::max(start.reach, end.reach);
   const bool closes = end.penetration > 0.0;
-  if (!is_worn(tables_->contacts[contact].surfaces)) {
-    const bool may_close = may_rise(start.penetration, start.penetration_rate, end.penetration, end.penetration_rate);
-    return closes || (may_close && start.penetration_rate > 0.0 && end.penetration_rate < 0.0) ? kParts : 0;
-  }
-  // What the least depths would leave changes smoothly even where the surfaces do not.
-  if (!closes && !may_rise(start.reach, start.reach_rate, end.reach, end.reach_rate)) return 0;
+  if (!closes && !is_near && !may_rise(start.reach, start.reach_rate, end.reach, end.reach_rate)) return 0;
+  if (!is_worn(tables_->contacts[contact].surfaces)) return kParts;
   const double passed = h * std::max(start.region_rate, end.region_rate);
   return std::max(kParts, static_cast<int>(std::min(kPartsPerRegion * passed, 1e5)));
 }

@@ -79,8 +79,8 @@ void ImplicitStepper::end_at(double h) {
   }
 }
 
-// Newton's method with the contacts' part of the Jacobian. A stage's slope has the last correction in it; the end of
-// the step is what was evaluated, so that its slope belongs to it.
+// Newton's method with the contacts' part of the Jacobian, which most often serves for two corrections. A stage's slope
+// has the last correction in it; the end of the step is what was evaluated, so that its slope belongs to it.
 bool ImplicitStepper::solve_stage(int stage) noexcept {
   const std::size_t n = n_free_;
   const double tau = Esdirk::kDiagonal * h_;

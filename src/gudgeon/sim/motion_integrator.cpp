@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Attempts, contact changes, projection, strides.
+// From step to step: steppers, latches, projection, strides.
 #include "gudgeon/sim/motion_integrator.h"
 
 #include <algorithm>
@@ -12,10 +12,6 @@ namespace gudgeon {
 
 namespace {
 
-// Onset is located this well [s]; the integrator stops within it, before the surfaces touch.
-constexpr double kOnsetTime = 1e-10;
-// Landing on a change takes one or two passes; bisection from the longest step to the shortest would take this many.
-constexpr int kMostLandings = 50;
 // Closure errors above this share of the absolute tolerance are projected away.
 constexpr double kProjectionShare = 0.1;
 // A step is at most this share of a cycle, so that no motion of the mechanism is jumped over.
@@ -125,14 +121,29 @@ bool MotionIntegrator::advance(double milestone) {
   stepper_->begin(time_, y_, slope_, std::exchange(continues_, true));
   while (!attempt_step(longest, milestone - time_)) {
     ++statistics_.rejected_steps;
-    if (stepper_->next_step() >= kSmallestStep) continue;
-    if (!explicit_ || stepper_ == explicit_.get()) return false;
+    if (!prepare_retry()) return false;
+  }
+  accept(milestone);
+  return true;
+}
+
+// After an attempt that was given up: with another stepper where this one cannot go on, or would go on in short steps.
+// False when nothing more can be done.
+bool MotionIntegrator::prepare_retry() {
+  const bool is_explicit = stepper_ == explicit_.get();
+  if (stepper_->next_step() < kSmallestStep) {
+    if (is_explicit || !explicit_) return false;
     stiffness_watch_.forget();
     use(*explicit_);
     evaluate_again();
-    stepper_->begin(time_, y_, slope_, false);
+  } else if (is_explicit && implicit_ && implicit_watch_.note_explicit_step(explicit_->find_stiffness())) {
+    implicit_->propose(kLonger * explicit_->next_step());
+    use(*implicit_);
+  } else {
+    return true;
   }
-  accept(milestone);
+  stepper_->begin(time_, y_, slope_, false);
+  continues_ = true;
   return true;
 }
 
@@ -149,66 +160,6 @@ bool MotionIntegrator::pass_singular_position(double milestone) {
   evaluate_again();
   settle();
   passage_.forget();
-  return true;
-}
-
-// Tries a step and, when a contact changes within it, the part up to the change.
-bool MotionIntegrator::attempt_step(double longest, double left) {
-  if (!stepper_->attempt(longest, left)) return false;
-  find_end_gaps();
-  const auto change = events_.find_first_change(stepper_->dense(), equations_.latches, gaps_, end_gaps_, scratch_);
-  if (!change || land_on_change(*change)) return true;
-  stepper_->shorten();
-  return false;
-}
-
-void MotionIntegrator::find_end_gaps() {
-  if (stepper_->evaluates_end()) {
-    events_.find_gaps(equations_.workspace, equations_.latches, end_gaps_);
-  } else {
-    events_.find_gaps(equations_.workspace, end_gaps_);
-  }
-}
-
-// Ends the step again so as to end just on the near side of an onset, or just past a separation: within kOnsetTime of
-// the change and with the gap open in both cases. Newton's method on the step's length, kept inside a bracket. A change
-// that only dense output has seen, as where surfaces graze, is none: the step then ends where it was thought to be.
-// False when the step was so long that the gap is past the change from its first moment on, going the other way.
-bool MotionIntegrator::land_on_change(const ContactChange& change) {
-  const std::size_t k = change.contact;
-  const double sign = equations_.latches[k].in_contact ? -1.0 : 1.0;
-  const double whole = stepper_->dense().step();
-  const double expected = std::clamp(change.share, 0.0, 1.0) * whole;
-  double before = 0.0;
-  double after = whole;
-  bool passed = sign * end_gaps_[k].penetration > 0.0;
-  double h = expected;
-  for (int pass = 0; pass < kMostLandings; ++pass) {
-    stepper_->end_at(h);
-    find_end_gaps();
-    const double penetration = end_gaps_[k].penetration;
-    const double rate = end_gaps_[k].penetration_rate;
-    if (!std::isfinite(penetration)) {
-      after = h;
-      h = 0.5 * (before + after);
-      continue;
-    }
-    const double window = 0.5 * kOnsetTime * std::abs(rate);
-    const double excess = penetration + window;
-    const bool landed = std::abs(excess) <= window;
-    passed = passed || landed || sign * excess > 0.0;
-    if (landed || after - before <= kSmallestStep) break;
-    (sign * excess > 0.0 ? after : before) = h;
-    const double newton = h - excess / rate;
-    h = newton > before && newton < after ? newton : 0.5 * (before + after);
-  }
-  if (passed) {
-    if (stepper_->dense().step() <= kSmallestStep && sign * end_gaps_[k].penetration_rate < 0.0) return false;
-    changing_contact_ = k;
-    return true;
-  }
-  stepper_->end_at(expected > kSmallestStep ? expected : whole);
-  find_end_gaps();
   return true;
 }
 

@@ -70,9 +70,11 @@ class MotionIntegrator {
   void use(Stepper& stepper);
   void choose_stepper();
   void choose_implicit();
+  bool prepare_retry();
   bool pass_singular_position(double milestone);
   bool attempt_step(double longest, double left);
   void find_end_gaps();
+  [[nodiscard]] bool is_gap_passed() const;
   bool land_on_change(const ContactChange& change);
   void turn_latch(std::size_t contact);
   void accept(double milestone);

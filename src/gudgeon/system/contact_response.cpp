@@ -16,7 +16,6 @@ ContactResponse::ContactResponse(const Tables& tables)
       n_free_(tables.counts.n_free()),
       directions_(n_free_, std::min<Eigen::Index>(kRank, 2 * static_cast<Eigen::Index>(tables.contacts.size()))),
       responses_(directions_.rows(), directions_.cols()),
-      solver_(kRank),
       loads_(tables.points.rows().size()),
       equations_(tables.n_indices) {}
 
@@ -70,16 +69,47 @@ void ContactResponse::weigh(double tau, std::span<const ContactLatch> latches, c
     weights_(2 * p + 1, 2 * p + 1) =
         tau * workspace.contact_forces[pressing_[p]].normal_force * slopes.coefficient_by_slip;
   }
-  if (rank > 0) solver_.compute(Square::Identity(rank, rank) + weights_ * gains_);
+  switch (n_pressing_) {
+    case 0:
+      break;
+    case 1:
+      solve_for_forces<2>();
+      break;
+    case 2:
+      solve_for_forces<4>();
+      break;
+    default:
+      solve_for_forces<Eigen::Dynamic>();
+  }
+}
+
+// Sizes that are known while compiling are several times faster than those that are not.
+template <int kSize>
+void ContactResponse::solve_for_forces() noexcept {
+  constexpr int kLargest = kSize == Eigen::Dynamic ? kRank : kSize;
+  using Matrix = Eigen::Matrix<double, kSize, kSize, 0, kLargest, kLargest>;
+  const Matrix weights = weights_;
+  const Matrix gains = gains_;
+  Matrix system = weights * gains;
+  system.diagonal().array() += 1.0;
+  if constexpr (kSize == Eigen::Dynamic) {
+    forces_ = system.partialPivLu().solve(weights);
+  } else {
+    forces_ = system.inverse() * weights;
+  }
 }
 
 void ContactResponse::correct(double* residual) const noexcept {
-  const Eigen::Index rank = 2 * n_pressing_;
-  if (rank == 0) return;
-  Eigen::Map<Eigen::VectorXd> r(residual, n_free_);
-  const Small asked = weights_ * (directions_.leftCols(rank).transpose() * r);
-  const Small forces = solver_.solve(asked);
-  r.noalias() -= responses_.leftCols(rank) * forces;
+  const int rank = 2 * n_pressing_;
+  std::array<double, kRank> lacking{};
+  for (int k = 0; k < rank; ++k) {
+    for (Eigen::Index i = 0; i < n_free_; ++i) lacking[k] += directions_(i, k) * residual[i];
+  }
+  for (int k = 0; k < rank; ++k) {
+    double force = 0.0;
+    for (int j = 0; j < rank; ++j) force += forces_(k, j) * lacking[j];
+    for (Eigen::Index i = 0; i < n_free_; ++i) residual[i] -= force * responses_(i, k);
+  }
 }
 
 double ContactResponse::find_fastest_rate(std::span<const ContactLatch> latches,

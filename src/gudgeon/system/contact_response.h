@@ -40,8 +40,9 @@ class ContactResponse {
  private:
   static constexpr int kRank = 2 * kMost;
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kRank, kRank>;
-  using Small = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kRank, 1>;
 
+  template <int kSize>
+  void solve_for_forces() noexcept;
   void add_direction(Workspace& workspace, const Contact& contact, Eigen::Index column, Vec2 force,
                      double bearing_torque, double journal_torque) noexcept;
   [[nodiscard]] ContactSlopes find_slopes(std::size_t contact, std::span<const ContactLatch> latches,
@@ -51,11 +52,11 @@ class ContactResponse {
   Eigen::Index n_free_;
   int n_pressing_ = 0;
   std::array<std::size_t, kMost> pressing_{};
-  Eigen::MatrixXd directions_;          // B, a column a direction: pressure and friction of the first contact ...
-  Eigen::MatrixXd responses_;           // S B
-  Square gains_;                        // Bᵀ S B
-  Square weights_;                      // C
-  Eigen::PartialPivLU<Square> solver_;  // of I + C Bᵀ S B
+  Eigen::MatrixXd directions_;  // B, a column a direction: pressure and friction of the first contact ...
+  Eigen::MatrixXd responses_;   // S B
+  Square gains_;                // Bᵀ S B
+  Square weights_;              // C
+  Square forces_;               // (I + C Bᵀ S B)⁻¹ C: forces that answer to what is lacking along B
   std::vector<Vec2> loads_;
   std::vector<double> equations_;
 };
