@@ -22,6 +22,14 @@ if(GUDGEON_SANITIZE)
   target_link_options(gudgeon_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+# What only drives the engine, the program and the tests, is not optimized under sanitizers: optimizing it takes longer
+# than it saves. The floors are: they do the arithmetic.
+add_library(gudgeon_unhurried_options INTERFACE)
+target_link_libraries(gudgeon_unhurried_options INTERFACE gudgeon_options)
+if(GUDGEON_SANITIZE)
+  target_compile_options(gudgeon_unhurried_options INTERFACE -O0)
+endif()
+
 function(gudgeon_add_floor name)
   cmake_parse_arguments(arg "" "" "USES;PRIVATE_USES" ${ARGN})
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.h)
