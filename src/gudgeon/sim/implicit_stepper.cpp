@@ -14,8 +14,9 @@ namespace gudgeon {
 namespace {
 
 constexpr int kStages = Esdirk::kStages;
-// A stage is solved once a correction is below this share of the tolerance; the last one is still made.
-constexpr double kSolved = 0.01;
+// A stage is solved once a correction is below this share of the tolerance; the last one is still made. The energy
+// ledger may hold a step to a tenth of its tolerance, and powers are those before the last correction.
+constexpr double kSolved = 0.001;
 // Contact forces alone are left to the corrections, so they shrink fast or not at all.
 constexpr int kMostCorrections = 8;
 
