@@ -8,39 +8,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <span>
 #include <tuple>
 #include <vector>
 
 #include "gudgeon/sim/tsitouras.h"
+#include "tests/sim/worn_contact.h"
 
 namespace gudgeon {
 namespace {
-
-constexpr double kCoefficient = 8e-14;
-
-Contact make_contact() {
-  Contact contact;
-  contact.surfaces = RevoluteSurfaces{15e-3, 14.5e-3, {}, {}};
-  contact.width = 20e-3;
-  contact.bearing_wear = Archard{0.75 * kCoefficient};
-  contact.journal_wear = Archard{0.25 * kCoefficient};
-  return contact;
-}
-
-// A contact at one direction, with a constant load.
-ContactSample make_sample(double direction) {
-  ContactSample sample;
-  sample.normal = {std::cos(direction), std::sin(direction)};
-  sample.bearing_radius = 15e-3;
-  sample.journal_radius = 14.5e-3;
-  sample.penetration = 7.3e-6;
-  sample.normal_force = 640.0;
-  sample.slip_speed = -0.31;
-  return sample;
-}
 
 class Regions : public testing::TestWithParam<std::tuple<int, PressureDistribution>> {
  protected:
@@ -50,11 +27,11 @@ class Regions : public testing::TestWithParam<std::tuple<int, PressureDistributi
 
 // Load W turns once around at constant slip: every region wears the same, h = k_d W s/(2 π R w).
 TEST_P(Regions, ConstantLoadWearsEvenly) {
-  Contact contact = make_contact();
+  Contact contact = make_worn_contact();
   contact.pressure = pressure();
   WearDeposit deposit(std::span(&contact, 1), Deposition::spread, n_regions());
   const int n_steps = 2 * n_regions();  // so that arcs begin at every region's edges alike
-  for (int k = 0; k < n_steps; ++k) deposit.add(make_sample(2.0 * std::numbers::pi * k / n_steps), 1.0 / n_steps);
+  for (int k = 0; k < n_steps; ++k) deposit.add(make_worn_sample(2.0 * std::numbers::pi * k / n_steps), 1.0 / n_steps);
   const JointWear wear = deposit.summarize("J");
   const double expected = 0.75 * kCoefficient * 640.0 * 0.31 / (2.0 * std::numbers::pi * 15e-3 * 20e-3);
   for (const double depth : wear.bearing_depth_added) EXPECT_NEAR(depth / expected, 1.0, 1e-9);
@@ -65,11 +42,11 @@ TEST_P(Regions, ConstantLoadWearsEvenly) {
 // Whatever the regions and the pressure, the volume is k_d F s to rounding; bearing and journal share it as their
 // coefficients.
 TEST_P(Regions, SpreadConservesVolume) {
-  Contact contact = make_contact();
+  Contact contact = make_worn_contact();
   contact.pressure = pressure();
   WearDeposit deposit(std::span(&contact, 1), Deposition::spread, n_regions(), 20000.0);
   for (int k = 0; k < 500; ++k) {
-    ContactSample sample = make_sample(0.37 * k * k);
+    ContactSample sample = make_worn_sample(0.37 * k * k);
     sample.bearing_angle = 0.9 * k;
     sample.journal_angle = -1.7 * k;
     sample.penetration *= 1.0 + k % 7;
@@ -88,13 +65,13 @@ INSTANTIATE_TEST_SUITE_P(Of, Regions,
 
 // A contact that stays: 3/2 of the uniform depth at the middle of the arc, none at its ends, the same volume.
 TEST(ParabolicPressure, WearsAStillArcDeeperAtItsMiddle) {
-  const Contact uniform = make_contact();
+  const Contact uniform = make_worn_contact();
   Contact parabolic = uniform;
   parabolic.pressure = PressureDistribution::parabolic;
   for (const Deposition deposition : {Deposition::spread, Deposition::point}) {
     WearDeposit a(std::span(&uniform, 1), deposition, 40000);
     WearDeposit b(std::span(&parabolic, 1), deposition, 40000);
-    for (WearDeposit* deposit : {&a, &b}) deposit->add(make_sample(1.0), 1.0);
+    for (WearDeposit* deposit : {&a, &b}) deposit->add(make_worn_sample(1.0), 1.0);
     const JointWear flat = a.summarize("J");
     const JointWear round = b.summarize("J");
     const double ratio = std::ranges::max(round.bearing_depth_added) / std::ranges::max(flat.bearing_depth_added);
@@ -108,13 +85,13 @@ TEST(ParabolicPressure, WearsAStillArcDeeperAtItsMiddle) {
 
 // The volume is k_e times the work of friction.
 TEST(WearDeposit, EnergyWearFollowsTheWorkOfFriction) {
-  Contact contact = make_contact();
+  Contact contact = make_worn_contact();
   contact.bearing_wear = EnergyWear{3e-13};
   contact.journal_wear = EnergyWear{1e-13};
   WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 1000);
   double work = 0.0;
   for (int k = 0; k < 200; ++k) {
-    ContactSample sample = make_sample(0.1 * k);
+    ContactSample sample = make_worn_sample(0.1 * k);
     sample.slip_speed = std::sin(0.3 * k);
     sample.friction_force = 0.2 * sample.normal_force * std::tanh(20.0 * sample.slip_speed);
     deposit.add(sample, 1e-3);
@@ -127,7 +104,7 @@ TEST(WearDeposit, EnergyWearFollowsTheWorkOfFriction) {
 // on where the stages before left it.
 TEST(WearDeposit, RunsInOverTheMagnifiedDistance) {
   constexpr double kMagnification = 500.0;
-  Contact contact = make_contact();
+  Contact contact = make_worn_contact();
   contact.bearing_wear = RunningInDistance{9e-14, 4e-14, 60.0};
   contact.journal_wear = NoWear{};
   const auto exact = [](double s) { return 640.0 * (4e-14 * s + 5e-14 * 60.0 * (1.0 - std::exp(-s / 60.0))); };
@@ -135,7 +112,7 @@ TEST(WearDeposit, RunsInOverTheMagnifiedDistance) {
   for (int stage = 0; stage < 3; ++stage) {
     contact.sliding_distance = slid;
     WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 100, kMagnification);
-    for (int k = 0; k < 1000; ++k) deposit.add(make_sample(0.01 * k), 1e-4);
+    for (int k = 0; k < 1000; ++k) deposit.add(make_worn_sample(0.01 * k), 1e-4);
     const JointWear wear = deposit.summarize("J");
     const double after = slid + kMagnification * wear.sliding_distance;
     EXPECT_NEAR(wear.sliding_distance, 0.031, 1e-14) << "the record's is not magnified";
@@ -156,7 +133,7 @@ std::vector<WearDeposit::StepSample> make_step(const std::vector<ContactSample>&
 
 std::vector<ContactSample> make_turning_samples(double from, double by) {
   std::vector<ContactSample> contacts;
-  for (const double node : Tsitouras::kNodes) contacts.push_back(make_sample(from + node * by));
+  for (const double node : Tsitouras::kNodes) contacts.push_back(make_worn_sample(from + node * by));
   return contacts;
 }
 
@@ -164,7 +141,7 @@ std::vector<ContactSample> make_turning_samples(double from, double by) {
 // still right to what a rule of fifth order makes of an exponential.
 TEST(WearDeposit, RunsInOverTheDistanceWithinAStep) {
   constexpr double kRunIn = 1.0;
-  Contact contact = make_contact();
+  Contact contact = make_worn_contact();
   contact.bearing_wear = RunningInDistance{9e-14, 0.0, kRunIn};
   contact.journal_wear = NoWear{};
   WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 100);
@@ -176,7 +153,7 @@ TEST(WearDeposit, RunsInOverTheDistanceWithinAStep) {
 
 // Negative weights say how much, not where: no region is given less than nothing, and the volume is k_d F s.
 TEST(WearDeposit, LaysNothingNegativeDown) {
-  const Contact contact = make_contact();
+  const Contact contact = make_worn_contact();
   WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 1000);
   constexpr double kDuration = 0.01;
   for (int k = 0; k < 20; ++k) {
@@ -195,7 +172,7 @@ TEST(WearDeposit, LaysNothingNegativeDown) {
 
 // Where neither stage with a share presses, the last that does tells the place.
 TEST(WearDeposit, FindsAPlaceForAContactThatEnds) {
-  const Contact contact = make_contact();
+  const Contact contact = make_worn_contact();
   WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 1000);
   std::vector<ContactSample> contacts = make_turning_samples(0.0, 0.12);
   for (const int s : {2, 3, 4, 5, 6}) contacts[s].normal_force = 0.0;
@@ -207,10 +184,10 @@ TEST(WearDeposit, FindsAPlaceForAContactThatEnds) {
 
 // The depth before the stage counts, that of the surface it wears.
 TEST(WearDeposit, RunsInOverTheDepthOfEachSurface) {
-  Contact contact = make_contact();
+  Contact contact = make_worn_contact();
   contact.bearing_wear = contact.journal_wear = RunningInDepth{9e-14, 4e-14, 2e-6};
   WearDeposit deposit(std::span(&contact, 1), Deposition::point, 100);
-  ContactSample sample = make_sample(2.0);
+  ContactSample sample = make_worn_sample(2.0);
   sample.bearing_depth = 2e-6;
   sample.journal_depth = 6e-6;
   deposit.add(sample, 1.0);
@@ -221,10 +198,10 @@ TEST(WearDeposit, RunsInOverTheDepthOfEachSurface) {
 
 // The paper's rule: the depth of the whole arc into one region, so that finer regions lose more volume.
 TEST(PointDeposition, GivesOneRegionTheWholeDepth) {
-  const Contact contact = make_contact();
+  const Contact contact = make_worn_contact();
   WearDeposit coarse(std::span(&contact, 1), Deposition::point, 100);
   WearDeposit fine(std::span(&contact, 1), Deposition::point, 1000);
-  for (WearDeposit* deposit : {&coarse, &fine}) deposit->add(make_sample(1.0), 1.0);
+  for (WearDeposit* deposit : {&coarse, &fine}) deposit->add(make_worn_sample(1.0), 1.0);
   const JointWear a = coarse.summarize("J");
   const JointWear b = fine.summarize("J");
   EXPECT_EQ(std::ranges::count_if(a.total_depth_added, [](double h) { return h > 0.0; }), 1);
@@ -235,9 +212,9 @@ TEST(PointDeposition, GivesOneRegionTheWholeDepth) {
 }
 
 TEST(WearDeposit, LiesWhereTheSurfacesAre) {
-  const Contact contact = make_contact();
+  const Contact contact = make_worn_contact();
   WearDeposit deposit(std::span(&contact, 1), Deposition::point, 360);
-  ContactSample sample = make_sample(2.0);
+  ContactSample sample = make_worn_sample(2.0);
   sample.bearing_angle = 0.5;
   sample.journal_angle = -1.0;
   deposit.add(sample, 1.0);
@@ -249,97 +226,13 @@ TEST(WearDeposit, LiesWhereTheSurfacesAre) {
 }
 
 TEST(WearDeposit, NothingWithoutForce) {
-  const Contact contact = make_contact();
+  const Contact contact = make_worn_contact();
   WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 100);
-  ContactSample sample = make_sample(2.0);
+  ContactSample sample = make_worn_sample(2.0);
   sample.normal_force = 0.0;
   sample.penetration = -1e-6;
   deposit.add(sample, 1.0);
   EXPECT_EQ(deposit.summarize("J").archard_volume, 0.0);
-}
-
-// A corner or a pin in a slot of 600 mm.
-Contact make_slot_contact(int side) {
-  Contact contact = make_contact();
-  contact.surfaces = GuideSurfaces{0.0, side == 0 ? 1.0 : -1.0, 26e-3, 0.3, 5e-3, {}, {}};
-  contact.bearing_surface = side;
-  return contact;
-}
-
-ContactSample make_slot_sample(int side, double position) {
-  ContactSample sample = make_sample(side == 0 ? 1.2 : 1.2 - std::numbers::pi);
-  sample.bearing_radius = std::numeric_limits<double>::infinity();
-  sample.journal_radius = 5e-3;
-  sample.bearing_position = position;
-  sample.bearing_surface = side;
-  return sample;
-}
-
-// A load F dragged along a side wears every region that it passes by h = k_d F/w, however long the contact is.
-TEST(SlotWear, ConstantLoadDraggedAlongASideWearsEvenly) {
-  for (const PressureDistribution pressure : {PressureDistribution::uniform, PressureDistribution::parabolic}) {
-    std::vector<Contact> sides{make_slot_contact(0), make_slot_contact(1)};
-    for (Contact& contact : sides) contact.pressure = pressure;
-    WearDeposit deposit(sides, Deposition::spread, 60);
-    constexpr double kSlide = 0.02e-3;  // [m], many to the contact of 0.27 mm, an integer number to a region of 10 mm
-    constexpr int kSlides = 20000;      // from -200 to 200 mm
-    for (int k = 0; k < kSlides; ++k) {
-      const ContactSample sample = make_slot_sample(1, -0.2 + (k + 0.5) * kSlide);
-      deposit.add(sample, kSlide / std::abs(sample.slip_speed));
-    }
-    const JointWear wear = deposit.summarize("slot");
-    EXPECT_EQ(wear.slot_length, 0.6);
-    EXPECT_TRUE(std::isinf(wear.bearing_radius));
-    ASSERT_EQ(wear.bearing_depth_added.size(), 120U);
-    const double expected = 0.75 * kCoefficient * 640.0 / 20e-3;
-    for (std::size_t region = 0; region < 120; ++region) {
-      const double share = wear.bearing_depth_added[region] / expected;
-      if (region < 60) {
-        EXPECT_EQ(share, 0.0) << "the left side";
-      } else if (region > 60 + 10 && region < 60 + 49) {
-        EXPECT_NEAR(share, 1.0, 1e-10) << region;  // sums of some 20000 deposits
-      } else {
-        EXPECT_LE(share, 1.0 + 1e-10);
-      }
-      EXPECT_NEAR(wear.total_depth_added[region], 4.0 / 3.0 * wear.bearing_depth_added[region], 1e-10 * expected);
-    }
-    // V = k_d F s, whatever was worn off where.
-    const double volume = kCoefficient * 640.0 * 0.4;
-    EXPECT_NEAR(wear.archard_volume / volume, 1.0, 1e-10);
-    EXPECT_NEAR(wear.removed_volume / volume, 1.0, 1e-10);
-    EXPECT_NEAR(wear.sliding_distance, 0.4, 1e-12);
-  }
-}
-
-TEST(SlotWear, WearsTheLastRegionsAtAnEndAndLosesNothing) {
-  std::vector<Contact> sides{make_slot_contact(0), make_slot_contact(1)};
-  WearDeposit deposit(sides, Deposition::spread, 6000);
-  for (const double end : {-0.3, 0.3}) deposit.add(make_slot_sample(0, end), 1.0);
-  const JointWear wear = deposit.summarize("slot");
-  EXPECT_NEAR(wear.removed_volume / wear.archard_volume, 1.0, 1e-10);
-  EXPECT_GT(wear.bearing_depth_added.front(), 0.0);
-  EXPECT_GT(wear.bearing_depth_added[5999], 0.0);
-  EXPECT_EQ(wear.bearing_depth_added[3000], 0.0);
-  EXPECT_EQ(wear.bearing_depth_added[6000], 0.0) << "not around the corner to the other side";
-}
-
-TEST(SlotWear, EachCornerWearsWhereItFacesItsSide) {
-  std::vector<Contact> corners;
-  for (int corner = 0; corner < 4; ++corner) {
-    corners.push_back(make_slot_contact(corner / 2));
-    corners.back().journal_surface = corner;
-  }
-  WearDeposit deposit(corners, Deposition::point, 360);
-  ContactSample sample = make_slot_sample(1, 0.1);
-  sample.journal_surface = 2;
-  sample.journal_angle = 0.3;
-  deposit.add(sample, 1.0);
-  const JointWear wear = deposit.summarize("slot");
-  ASSERT_EQ(wear.journal_depth_added.size(), 4U * 360U);
-  const auto deepest = std::ranges::max_element(wear.journal_depth_added) - wear.journal_depth_added.begin();
-  const double angle = std::remainder(1.2 - std::numbers::pi - 0.3, 2.0 * std::numbers::pi) + 2.0 * std::numbers::pi;
-  EXPECT_EQ(deepest, 2 * 360 + static_cast<std::ptrdiff_t>(angle * 180.0 / std::numbers::pi));
-  EXPECT_EQ(std::ranges::count_if(wear.journal_depth_added, [](double depth) { return depth > 0.0; }), 1);
 }
 
 }  // namespace
