@@ -12,8 +12,6 @@
 #include "bench/integrators/pair_run.h"
 #include "bench/run_cases.h"
 #include "gudgeon/sim/motion_integrator.h"
-#include "gudgeon/system/body_motion.h"
-#include "gudgeon/system/load_forces.h"
 #include "tests/oracle/same_state.h"
 
 namespace gudgeon::bench {
@@ -55,18 +53,8 @@ Outcome run_engine(const RunCase& at, Integrator integrator, Stabilization stabi
   study.integrator = integrator;
   study.stabilization = stabilization;
   MotionIntegrator motion(system, study, at.cycle_time);
-  BodyMotionFinder finder(system);
-  const auto find_surplus = [&] {  // energy less what was put in
-    MotionEquations& equations = motion.equations();
-    const Workspace& ws = equations.workspace;
-    const double* integral = motion.y().data() + equations.n_states();
-    return find_kinetic_energy(system.mechanism, finder.update(equations.workspace)) +
-           find_potential_energy(system.tables, ws) + find_elastic_energy(ws) - integral[kDriverWork] +
-           integral[kContactDamping] + integral[kFrictionLoss];
-  };
   Outcome outcome;
   if (!motion.begin(make_state(system, assembly))) return outcome;
-  const double surplus = find_surplus();
   run_to_end(
       horizon, outcome,
       [&](double milestone) {
@@ -77,7 +65,7 @@ Outcome run_engine(const RunCase& at, Integrator integrator, Stabilization stabi
       },
       [&] {
         motion.evaluate_again();
-        note_residual(outcome, find_surplus() - surplus);
+        note_residual(outcome, motion.equations().find_residual(motion.y().data()));
         const auto poses = find_poses(system.mechanism, system.topology, motion.equations().workspace.coordinates);
         for (const Probe& probe : at.probes) {
           const int body = find_body(at.mechanism, probe.body);
