@@ -66,6 +66,7 @@ void ImplicitStepper::end_at(double h) {
   for (int stage = 1; stage < kStages; ++stage) {
     if (solve_stage(stage)) continue;
     std::ranges::fill(end_, std::numeric_limits<double>::quiet_NaN());
+    equations_.eval(time_ + h, end_.data(), slope_.data());  // whoever looks at the workspace must see that, too
     return;
   }
   for (std::size_t i = 0; i < error_.size(); ++i) {

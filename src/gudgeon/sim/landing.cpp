@@ -57,7 +57,8 @@ void MotionIntegrator::find_end_gaps() {
 // Ends the step again so as to end just on the near side of an onset, or just past a separation: within kOnsetTime of
 // the change and with the gap open in both cases. Newton's method on the step's length, kept inside a bracket. A change
 // that only dense output has seen, as where surfaces graze, is none: the step then ends where it was thought to be.
-// False when the step was so long that the gap is past the change from its first moment on, going the other way.
+// False when the step was so long that the gap is past the change from its first moment on, going the other way, or
+// when it cannot be ended there.
 bool MotionIntegrator::land_on_change(const ContactChange& change) {
   const std::size_t k = change.contact;
   const double sign = equations_.latches[k].in_contact ? -1.0 : 1.0;
@@ -87,13 +88,14 @@ bool MotionIntegrator::land_on_change(const ContactChange& change) {
     h = newton > before && newton < after ? newton : 0.5 * (before + after);
   }
   if (passed) {
+    if (!std::isfinite(end_gaps_[k].penetration)) return false;
     if (stepper_->dense().step() <= kSmallestStep && sign * end_gaps_[k].penetration_rate < 0.0) return false;
     changing_contact_ = k;
     return true;
   }
   stepper_->end_at(expected > kSmallestStep ? expected : whole);
   find_end_gaps();
-  return true;
+  return std::isfinite(end_gaps_[k].penetration);
 }
 
 }  // namespace gudgeon
