@@ -22,6 +22,8 @@ TEST(FormatEngineering, ChoosesAFittingUnit) {
   EXPECT_EQ(format_engineering(-52.33, "N m"), "-52.33 N m");
   EXPECT_EQ(format_engineering(3e-9, "m^3"), "3.000 mm^3");
   EXPECT_EQ(format_engineering(4.2e-13, "m^3"), "420000 µm^3");
+  EXPECT_EQ(format_engineering(1.621e-10, "m^3"), "0.1621 mm^3");
+  EXPECT_EQ(format_engineering(1.6e-12, "m^3"), "0.001600 mm^3");
   EXPECT_EQ(format_engineering(2.5, "s"), "2.500 s");
 }
 

@@ -15,6 +15,7 @@ namespace gudgeon {
 namespace {
 
 constexpr int kDigits = 4;
+constexpr int kMostDigits = 6;  // before the point; beyond them a number is told by its power of ten
 
 struct Prefix {
   const char* text;
@@ -60,8 +61,10 @@ Prefix choose_prefix(double value, std::string_view unit) {
   const int decade = find_decade(value);
   // smaller than the smallest prefix: rounding noise, better told by its power of ten
   if (decade < kPrefixes.front().exponent * leading.power) return chosen;
+  // From one prefix to the next a cube grows by nine digits; of these the last three are better behind a point.
+  const int behind_point = std::max(0, 3 * leading.power - kMostDigits);
   for (const Prefix& prefix : kPrefixes) {
-    if (prefix.exponent <= largest && prefix.exponent * leading.power <= decade) chosen = prefix;
+    if (prefix.exponent <= largest && prefix.exponent * leading.power <= decade + behind_point) chosen = prefix;
   }
   return chosen;
 }
@@ -72,7 +75,7 @@ std::string format_number(double value) {
   if (std::isnan(value)) return kNoNumber;
   if (value == 0.0) return "0";
   const int decade = find_decade(value);
-  if (!std::isfinite(value) || decade < -4 || decade > 5) return fmt::format("{:.{}e}", value, kDigits - 1);
+  if (!std::isfinite(value) || decade < -4 || decade >= kMostDigits) return fmt::format("{:.{}e}", value, kDigits - 1);
   return fmt::format("{:.{}f}", value, std::max(0, kDigits - 1 - decade));
 }
 
