@@ -17,18 +17,19 @@ inline void write_rotations(const double* angles, std::size_t n, double* pairs) 
   constexpr std::size_t kLanes = Lanes::size;
   double cosines[kLanes];
   double sines[kLanes];
-  double rest[kLanes] = {};
-  for (std::size_t first = 0; first < n; first += kLanes) {
-    const std::size_t n_here = n - first < kLanes ? n - first : kLanes;
-    const double* from = angles + first;
-    if (n_here < kLanes) {
-      for (std::size_t k = 0; k < n_here; ++k) rest[k] = from[k];
-      from = rest;
-    }
-    const auto [sine, cosine] = xsimd::sincos(Lanes::load_unaligned(from));
+  double few[kLanes] = {};
+  if (n < kLanes) {
+    for (std::size_t k = 0; k < n; ++k) few[k] = angles[k];
+    angles = few;
+  }
+  const std::size_t n_stored = n < kLanes ? n : kLanes;
+  for (std::size_t done = 0; done < n; done += kLanes) {
+    // The last lanes overlap those before them: the same bits are written twice.
+    const std::size_t first = done + kLanes <= n ? done : n - n_stored;
+    const auto [sine, cosine] = xsimd::sincos(Lanes::load_unaligned(angles + first));
     cosine.store_unaligned(cosines);
     sine.store_unaligned(sines);
-    for (std::size_t k = 0; k < n_here; ++k) {
+    for (std::size_t k = 0; k < n_stored; ++k) {
       pairs[2 * (first + k)] = cosines[k];
       pairs[2 * (first + k) + 1] = sines[k];
     }

@@ -34,6 +34,7 @@ struct ContactGap {
   double bearing_radius_rate = 0.0;   ///< [m/s] of R_i as the contact moves along the worn surface
   double journal_radius_rate = 0.0;   ///< [m/s] of R_j
   double relative_radius_rate = 0.0;  ///< d ln R_r/dt [1/s]
+  double clearance_rate = 0.0;        ///< d ln ΔR/dt [1/s], ΔR = R_i − R_j; 0 where the bearing is flat
   double bearing_lever = 0.0;         ///< n·(middle of the overlap − bearing's point) [m]
   double journal_lever = 0.0;         ///< n·(middle of the overlap − journal's point) [m]
   double bearing_depth = 0.0;         ///< h_i [m] worn off the bearing here

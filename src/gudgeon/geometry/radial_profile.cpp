@@ -19,6 +19,7 @@ RadialProfile::RadialProfile(std::vector<double> region_depths) : depths_(std::m
   if (!worn_) return;
   assert(depths_.size() >= 4);
   regions_per_radian_ = static_cast<double>(depths_.size()) / (2.0 * std::numbers::pi);
+  per_region_ = 1.0 / static_cast<double>(depths_.size());
   padded_.push_back(depths_.back());
   padded_.insert(padded_.end(), depths_.begin(), depths_.end());
   padded_.insert(padded_.end(), {depths_[0], depths_[1], depths_[2]});
@@ -26,14 +27,16 @@ RadialProfile::RadialProfile(std::vector<double> region_depths) : depths_(std::m
 
 RadialProfile::Value RadialProfile::eval(double angle) const noexcept {
   if (!worn_) return {0.0, 0.0};
-  // Position in regions from the centre of region 0, wrapped into [0, n).
+  // Position in regions from the centre of region 0, wrapped into [0, n); rounding may leave it a hair outside, and the
+  // padding covers what is too much.
   const double n = static_cast<double>(depths_.size());
   double position = angle * regions_per_radian_ - 0.5;
-  position -= n * std::floor(position / n);
+  position -= n * std::floor(position * per_region_);
+  if (position < 0.0) position += n;
   const double whole = std::floor(position);
   const double f = position - whole;
-  // The wrapped position may round to n itself; the padding covers that. An angle too large to wrap has no depth.
-  if (!(position >= 0.0 && position <= n)) {
+  // An angle too large to wrap has no depth.
+  if (!(position >= 0.0 && whole <= n)) {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     return {nothing, nothing};
   }

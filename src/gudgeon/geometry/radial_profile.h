@@ -39,6 +39,7 @@ class RadialProfile {
   std::vector<double> depths_;
   std::vector<double> padded_;  // depths with the neighbours of both ends repeated, so that four in a row always exist
   double regions_per_radian_ = 0.0;
+  double per_region_ = 0.0;  // of a turn
   double least_depth_ = 0.0;
   bool worn_ = false;
 };

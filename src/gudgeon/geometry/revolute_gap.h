@@ -34,11 +34,14 @@ struct RevoluteGap : ContactGap {
 inline RevoluteGap find_revolute_gap(const RevoluteSurfaces& surfaces, const RelativeMotion& motion) noexcept {
   RevoluteGap gap;
   gap.eccentricity = norm(motion.offset);
-  gap.normal = gap.eccentricity > 0.0 ? (1.0 / gap.eccentricity) * motion.offset : Vec2{1.0, 0.0};
+  const double inverse_eccentricity = 1.0 / gap.eccentricity;
+  gap.normal = gap.eccentricity > 0.0 ? inverse_eccentricity * motion.offset : Vec2{1.0, 0.0};
   gap.gradient = gap.normal;
   gap.bearing_radius = surfaces.bearing_radius;
   gap.journal_radius = surfaces.journal_radius;
   gap.penetration_rate = dot(gap.normal, motion.velocity);
+  double clearance = gap.bearing_radius - gap.journal_radius;
+  double inverse_clearance = 1.0 / clearance;
   if (surfaces.is_worn() && gap.eccentricity > 0.0) {
     gap.direction = std::atan2(gap.normal.y, gap.normal.x);
     const auto bearing = surfaces.bearing_wear.eval(gap.direction - motion.bearing_angle);
@@ -47,21 +50,24 @@ inline RevoluteGap find_revolute_gap(const RevoluteSurfaces& surfaces, const Rel
     gap.journal_depth = journal.depth;
     gap.bearing_radius += bearing.depth;
     gap.journal_radius -= journal.depth;
+    clearance = gap.bearing_radius - gap.journal_radius;
+    inverse_clearance = 1.0 / clearance;
     // ∂φ/∂r = perp(n)/e; R_i falls with δ, R_j adds to it.
-    gap.gradient -= ((bearing.slope + journal.slope) / gap.eccentricity) * perp(gap.normal);
+    gap.gradient -= ((bearing.slope + journal.slope) * inverse_eccentricity) * perp(gap.normal);
     gap.bearing_gradient = bearing.slope;
     gap.journal_gradient = journal.slope;
-    const double direction_rate = cross(gap.normal, motion.velocity) / gap.eccentricity;
+    const double direction_rate = cross(gap.normal, motion.velocity) * inverse_eccentricity;
     gap.bearing_radius_rate = bearing.slope * (direction_rate - motion.bearing_rate);
     gap.journal_radius_rate = -journal.slope * (direction_rate - motion.journal_rate);
     gap.penetration_rate += gap.journal_radius_rate - gap.bearing_radius_rate;
+    gap.clearance_rate = (gap.bearing_radius_rate - gap.journal_radius_rate) * inverse_clearance;
     gap.relative_radius_rate =
-        gap.bearing_radius_rate / gap.bearing_radius + gap.journal_radius_rate / gap.journal_radius -
-        (gap.bearing_radius_rate - gap.journal_radius_rate) / (gap.bearing_radius - gap.journal_radius);
+        (gap.bearing_radius_rate * gap.journal_radius + gap.journal_radius_rate * gap.bearing_radius) /
+            (gap.bearing_radius * gap.journal_radius) -
+        gap.clearance_rate;
   }
-  const double clearance = gap.bearing_radius - gap.journal_radius;
   gap.penetration = gap.eccentricity - clearance;
-  gap.relative_radius = gap.bearing_radius * gap.journal_radius / clearance;
+  gap.relative_radius = gap.bearing_radius * gap.journal_radius * inverse_clearance;
   gap.journal_lever = gap.journal_radius - 0.5 * gap.penetration;
   gap.bearing_lever = gap.eccentricity + gap.journal_lever;
   return gap;

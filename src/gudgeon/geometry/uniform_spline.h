@@ -18,8 +18,8 @@ inline SplineValue eval_uniform_spline(const double* h, double f) noexcept {
   const double f2 = f * f;
   const double g2 = g * g;
   const double value = (h[0] * g2 * g + h[1] * (4.0 - 6.0 * f2 + 3.0 * f2 * f) +
-                        h[2] * (4.0 - 6.0 * g2 + 3.0 * g2 * g) + h[3] * f2 * f) /
-                       6.0;
+                        h[2] * (4.0 - 6.0 * g2 + 3.0 * g2 * g) + h[3] * f2 * f) *
+                       (1.0 / 6.0);
   const double slope = 0.5 * (-h[0] * g2 + h[1] * (3.0 * f2 - 4.0 * f) - h[2] * (3.0 * g2 - 4.0 * g) + h[3] * f2);
   return {value, slope};
 }

@@ -33,13 +33,15 @@ StageRecorder::StageRecorder(const System& system)
       values_(table_.size()),
       step_statistics_(select_names(table_, true)),
       sample_statistics_(select_names(table_, false)) {
-  for (const RecordedChannel& entry : table_) channels_.push_back(entry.channel);
+  for (std::size_t k = 0; k < table_.size(); ++k) {
+    channels_.push_back(table_[k].channel);
+    if (table_[k].watched) watched_.push_back(k);
+  }
   const std::size_t n_groups = system.tables.contact_groups.size();
   for (std::size_t g = 0; g < n_groups; ++g) readers_.emplace_back(system, g);
   snapshot_.clearances.resize(n_groups);
-  const auto n_watched = static_cast<std::size_t>(std::ranges::count(table_, true, &RecordedChannel::watched));
-  watched_row_.resize(n_watched);
-  sampled_row_.resize(table_.size() - n_watched);
+  watched_row_.resize(watched_.size());
+  sampled_row_.resize(table_.size() - watched_.size());
 }
 
 void StageRecorder::stream(std::size_t block_size, std::function<void(const SampleBlock&)> take) {
@@ -98,10 +100,7 @@ void StageRecorder::watch(double time, const Workspace& workspace, std::span<con
   motion_.update(workspace);
   for (std::size_t k = 0; k < gaps.size(); ++k) penetrations_[k] = gaps[k].penetration;
   read_clearances(workspace);
-  std::size_t n_watched = 0;
-  for (const RecordedChannel& entry : table_) {
-    if (entry.watched) watched_row_[n_watched++] = entry.read(snapshot_);
-  }
+  for (std::size_t k = 0; k < watched_.size(); ++k) watched_row_[k] = table_[watched_[k]].read(snapshot_);
   step_statistics_.update(time, watched_row_);
 }
 

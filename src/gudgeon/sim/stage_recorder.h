@@ -59,6 +59,7 @@ class StageRecorder {
   std::vector<ClearanceReader> readers_;  // one a clearance joint
   Snapshot snapshot_;
   std::vector<double> penetrations_;  // one a contact
+  std::vector<std::size_t> watched_;  // channels whose statistics are taken at every step
   std::vector<double> watched_row_;
   std::vector<double> sampled_row_;
   std::vector<double> time_;

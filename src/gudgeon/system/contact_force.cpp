@@ -75,17 +75,15 @@ double find_contact_modulus(const Material& bearing, const Material& journal) {
 
 void update_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
                            double bristle, ContactForces& forces) noexcept {
-  const ContactGap gap = find_gap(contact.surfaces, motion);
+  const ContactGap& gap = forces.gap;
   const bool presses = latch.in_contact && (contact.steps_at_onset || !(gap.penetration <= 0.0));  // NaN goes on
   if (!presses) {
-    forces = ContactForces{};
-    forces.gap = gap;
+    forces = ContactForces{.gap = gap};
     if (latch.in_contact && contact.bristle >= 0) {
       forces.bristle_rate = find_friction(contact, find_slip_speed(gap, motion), bristle).bristle_rate;
     }
     return;
   }
-  forces.gap = gap;
 
   // Along the normal.
   const NormalForce normal = find_normal_force(contact, make_normal_contact(contact, latch, gap));
@@ -105,10 +103,8 @@ void update_contact_forces(const Contact& contact, const RelativeMotion& motion,
   forces.torque_on_bearing = forces.friction_force * gap.bearing_lever;
 
   // Energy stored at one place of a worn surface is given back at another, where the same penetration holds another.
-  const double clearance_rate =  // d ln ΔR/dt
-      (gap.bearing_radius_rate - gap.journal_radius_rate) / (gap.bearing_radius - gap.journal_radius);
   forces.surface_power =
-      normal.energy_by_radius * gap.relative_radius_rate + normal.energy_by_clearance * clearance_rate;
+      normal.energy_by_radius * gap.relative_radius_rate + normal.energy_by_clearance * gap.clearance_rate;
   if (contact.normal_direction == NormalDirection::gap_gradient) {
     forces.force_on_journal -= normal.force * gap.gradient;
     forces.torque_on_bearing -= normal.force * gap.bearing_gradient;

@@ -60,7 +60,7 @@ struct ContactForces {
   double friction_force = 0.0;     ///< μ(v) F [N], of v's sign; acts on the journal along −perp(n)
   double bristle_rate = 0.0;       ///< ż [m/s] of the bristle, where the law has one
   double elastic_energy = 0.0;     ///< U [J]
-  Vec2 force_on_journal;           ///< [N] in the frame's axes, to be taken at the journal's centre
+  Vec2 force_on_journal{};         ///< [N] in the frame's axes, to be taken at the journal's centre
   double torque_on_bearing = 0.0;  ///< [N m] about the bearing's centre, beside −force_on_journal there
   double torque_on_journal = 0.0;  ///< [N m] about the journal's centre
   double damping_power = 0.0;      ///< [W] lost along the normal
@@ -83,13 +83,13 @@ inline RelativeMotion find_contact_motion(const Contact& contact, const Coordina
 /// The forces of a contact that is latched. Both bodies feel equal and opposite forces at one common point in the
 /// middle of the overlap, so momentum and angular momentum are kept. Stiffness K = factor √R_r, eq. (35), with the
 /// local worn radii. bristle z [m] is the deflection of the contact's bristle, where its friction law has one. Eqs. (6)
-/// to (16) of the paper.
+/// to (16) of the paper. forces.gap must be that of the motion; the rest is written.
 void update_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
                            double bristle, ContactForces& forces) noexcept;
 
 inline ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& motion,
                                          const ContactLatch& latch, double bristle = 0.0) noexcept {
-  ContactForces forces;
+  ContactForces forces{.gap = find_gap(contact.surfaces, motion)};
   update_contact_forces(contact, motion, latch, bristle, forces);
   return forces;
 }

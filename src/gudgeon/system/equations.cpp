@@ -74,13 +74,20 @@ void add_constant_loads(const Tables& tables, Workspace& ws) noexcept {
   ws.loads.constant_power = power;
 }
 
+// All gaps before all forces: the long chains of operations of several contacts then run side by side.
 void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, Workspace& ws) noexcept {
+  for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
+    if (!latches[k].in_contact) continue;
+    const Contact& contact = tables.contacts[k];
+    ws.contact_motions[k] = find_contact_motion(contact, ws);
+    ws.contact_forces[k].gap = find_gap(contact.surfaces, ws.contact_motions[k]);
+  }
   for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
     if (!latches[k].in_contact) continue;
     const Contact& contact = tables.contacts[k];
     const double bristle = contact.bristle < 0 ? 0.0 : ws.bristles[contact.bristle];
     ContactForces& forces = ws.contact_forces[k];
-    update_contact_forces(contact, find_contact_motion(contact, ws), latches[k], bristle, forces);
+    update_contact_forces(contact, ws.contact_motions[k], latches[k], bristle, forces);
     ws.touches[k] = true;
     ws.point_loads[contact.journal_row] += forces.force_on_journal;
     ws.point_loads[contact.bearing_row] -= forces.force_on_journal;
@@ -93,13 +100,16 @@ void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, W
 inline void hand_loads_down(const Tables& tables, const Workspace& ws, Vec2* loads, double* equations) noexcept {
   const auto& rows = tables.points.rows();
   const int unit_slide = tables.counts.unit_slide();
+  const int bin = tables.bin_index();
   for (std::size_t r = rows.size(); r-- > 0;) {
     const PointChain::Row& row = rows[r];
     const Vec2 load = loads[r];
+    if (row.predecessor >= 0) loads[row.predecessor] += load;
+    const bool slides = row.slide != unit_slide;
+    if (!slides && tables.chain_index_turn[r] == bin) continue;  // moves with no coordinate of its own
     const Vec2 arm = ws.point_motions[r].arm;
     equations[tables.chain_index_turn[r]] += ws.coordinates.slide[row.slide] * cross(arm, load);
-    if (row.slide != unit_slide) equations[tables.chain_index_slide[r]] += dot(arm, load);
-    if (row.predecessor >= 0) loads[row.predecessor] += load;
+    if (slides) equations[tables.chain_index_slide[r]] += dot(arm, load);
   }
 }
 

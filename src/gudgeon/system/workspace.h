@@ -25,6 +25,7 @@ struct Workspace {
         bristles(tables.n_bristles, 0.0),
         point_motions(tables.points.rows().size()),
         point_loads(tables.points.rows().size()),
+        contact_motions(tables.contacts.size()),
         contact_forces(tables.contacts.size()),
         touches(tables.contacts.size(), false),
         loads(tables.loads) {}
@@ -40,7 +41,8 @@ struct Workspace {
   std::vector<Vec2> closure_rate;  ///< φ̇ [m/s, rad/s]
   std::vector<double> bristles;    ///< z [m], part of the state: to be set before an evaluation
   std::vector<PointChain::PointMotion> point_motions;
-  std::vector<Vec2> point_loads;  ///< force on each chain row [N]
+  std::vector<Vec2> point_loads;                ///< force on each chain row [N]
+  std::vector<RelativeMotion> contact_motions;  ///< of contacts that are latched
   std::vector<ContactForces> contact_forces;
   std::vector<char> touches;  ///< whether a contact's forces are other than all zero
   LoadScratch loads;
