@@ -99,6 +99,34 @@ TEST(MotionIntegrator, OnsetLandsJustBeforeTouchAndTurnsTheLatchWithTheNextStep)
   EXPECT_EQ(motion.integrator.statistics().separations, 1);
 }
 
+// Whatever was tried before, and by whichever formula: a step's first samples are those of its start.
+TEST(MotionIntegrator, SamplesBeginAtTheStartOfTheStep) {
+  Mechanism mechanism = oracle::make_slider_crank_clearance();
+  for (Joint& joint : mechanism.joints) {
+    if (auto* clearance = std::get_if<RevoluteClearance>(&joint.kind)) {
+      clearance->contact.friction = CoulombSmooth{0.9, 1e-4};
+    }
+  }
+  Motion motion(mechanism, {}, 0.012);
+  const Tables& tables = motion.system.tables;
+  const auto n_free = static_cast<std::size_t>(tables.counts.n_free());
+  Workspace workspace(tables);
+  int n_changes = 0;
+  bool was_implicit = false;
+  while (motion.integrator.time() < 0.012) {
+    const double time = motion.integrator.time();
+    const std::vector<double> y = motion.integrator.y();
+    ASSERT_TRUE(motion.integrator.advance(0.012));
+    if (motion.integrator.is_implicit() != was_implicit) ++n_changes;
+    was_implicit = motion.integrator.is_implicit();
+    eval_dynamics(tables, time, y.data(), y.data() + n_free, motion.integrator.equations().latches, {}, workspace);
+    const double force = workspace.contact_forces.front().normal_force;
+    // Loops are closed after a step was sampled, by less than this.
+    ASSERT_NEAR(motion.integrator.find_sample(0, 0).normal_force, force, 1e-3 * force + 1e-3) << "at " << time;
+  }
+  EXPECT_GT(n_changes, 10);
+}
+
 TEST(MotionIntegrator, TwoOnsetsAtOneInstant) {
   const BallFlight flight{{0.1, 0.0}, {3.0, 0.0}};
   Motion motion(make_balls({flight, flight}, {}, 1e6), {});
@@ -116,6 +144,18 @@ TEST(MotionIntegrator, TwoOnsetsAtOneInstant) {
   EXPECT_NE(order[0], order[1]);
   while (motion.integrator.time() < 0.2) ASSERT_TRUE(motion.integrator.advance(0.2));
   EXPECT_EQ(motion.integrator.statistics().onsets, 2);
+}
+
+// A level block falls on two corners. The step between their onsets is next to nothing, which says nothing about later
+// ones.
+TEST(MotionIntegrator, OnsetsAHairApartLeaveLaterOnesAlone) {
+  for (const double tilt : {0.0, 1e-16, 1e-15, 1e-14, 1e-13}) {
+    Motion motion(oracle::make_loose_block({tilt, 0.0, Vec2{}, Vec2{0.0, -0.1}}, 200e9), {});
+    while (motion.integrator.time() < 1.0) ASSERT_TRUE(motion.integrator.advance(1.0)) << tilt;
+    const SolverStatistics& statistics = motion.integrator.statistics();
+    EXPECT_GT(statistics.onsets, 50) << "to and fro";
+    EXPECT_LT(statistics.accepted_steps, 60 * statistics.onsets) << tilt;
+  }
 }
 
 // The press at every change of contact: the state that is kept, loops closed, stands where the contract says.

@@ -6,16 +6,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/oracle/mechanisms.h"
 #include "tests/oracle/same_state.h"
+#include "tests/sim/flying_ball.h"
 
 namespace gudgeon {
 namespace {
 
 // A mechanism with all its contacts pressing, evaluated.
 struct Pressed {
-  explicit Pressed(const Mechanism& mechanism)
-      : at(mechanism, oracle::make_pressed_start(mechanism)), n(static_cast<Eigen::Index>(at.equations.n_free())) {
+  explicit Pressed(const Mechanism& mechanism) : Pressed(mechanism, oracle::make_pressed_start(mechanism)) {}
+  Pressed(const Mechanism& mechanism, const oracle::SameState& state)
+      : at(mechanism, state), n(static_cast<Eigen::Index>(at.equations.n_free())) {
     // So slow a slip that friction turns.
     for (Eigen::Index i = 0; i < n; ++i) at.y[n + i] *= 1e-3;
     at.equations.eval(0.0, at.y.data(), at.slope.data());
@@ -57,9 +62,11 @@ struct Pressed {
   Eigen::Index n;
 };
 
-class PressedContacts : public testing::TestWithParam<Mechanism (*)()> {};
+class PressedContacts : public testing::TestWithParam<Pressed (*)()> {};
 
-Mechanism make_slider_crank_with_friction() {
+Pressed press_nine_bar() { return Pressed(oracle::make_nine_bar()); }
+
+Pressed press_slider_crank_with_friction() {
   Mechanism mechanism = oracle::make_slider_crank_clearance();
   mechanism.drivers.front().speed = 1.0;
   for (Joint& joint : mechanism.joints) {
@@ -67,11 +74,25 @@ Mechanism make_slider_crank_with_friction() {
       clearance->contact.friction = CoulombSmooth{0.1, 1e-3};
     }
   }
-  return mechanism;
+  return Pressed(mechanism);
 }
 
+// Each in its own bearing, at rest but for a slow slip.
+Pressed press_balls(int n, double young_modulus, const AnyFriction& friction) {
+  std::vector<BallFlight> flights;
+  for (int k = 0; k < n; ++k) flights.push_back({{kBallClearance + 1e-6 * (k + 1), 0.0}, {0.0, 0.1}});
+  Mechanism mechanism = make_balls(flights, {}, young_modulus);
+  for (Joint& joint : mechanism.joints) std::get<RevoluteClearance>(joint.kind).contact.friction = friction;
+  oracle::SameState state = oracle::make_free_start(mechanism);
+  for (ContactLatch& latch : state.latches) latch = {true, 0.1};
+  return {mechanism, state};
+}
+
+// More contacts than matrices of a fixed size are made for.
+Pressed press_ten_balls() { return press_balls(10, 1e14, CoulombSmooth{0.1, 1e-3}); }
+
 TEST_P(PressedContacts, CorrectAsTheWholeJacobianWould) {
-  Pressed pressed(GetParam()());
+  Pressed pressed = GetParam()();
   ContactResponse response(pressed.at.system.tables);
   response.update(pressed.at.equations.workspace);
   const Eigen::VectorXd residual = Eigen::VectorXd::LinSpaced(pressed.n, 1.0, -0.7);
@@ -93,11 +114,12 @@ TEST_P(PressedContacts, CorrectAsTheWholeJacobianWould) {
   }
 }
 
-TEST_P(PressedContacts, TellTheFastestRate) {
-  Pressed pressed(GetParam()());
+TEST_P(PressedContacts, TellTheFastestRates) {
+  Pressed pressed = GetParam()();
   ContactResponse response(pressed.at.system.tables);
   response.update(pressed.at.equations.workspace);
-  const double rate = response.find_fastest_rate(pressed.at.equations.latches, pressed.at.equations.workspace);
+  const ContactRates rates = response.find_rates(pressed.at.equations.latches, pressed.at.equations.workspace);
+  const double rate = std::max(rates.decay, rates.swing);
   // Of the motion [q̇ v̇] = [0 1; ∂a/∂q ∂a/∂v] [q v].
   const Eigen::Index n = pressed.n;
   Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(2 * n, 2 * n);
@@ -111,7 +133,19 @@ TEST_P(PressedContacts, TellTheFastestRate) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ContactResponse, PressedContacts,
-                         testing::Values(oracle::make_nine_bar, make_slider_crank_with_friction));
+                         testing::Values(press_nine_bar, press_slider_crank_with_friction, press_ten_balls));
+
+// A ball on a Hertzian spring swings with √(1.5 F/(δ m)).
+TEST(ContactResponse, TellsTheSwingOfABallFromItsSlip) {
+  Pressed pressed = press_balls(1, 1e9, Frictionless{});
+  ContactResponse response(pressed.at.system.tables);
+  response.update(pressed.at.equations.workspace);
+  const ContactForces& forces = pressed.at.equations.workspace.contact_forces.front();
+  const ContactRates rates = response.find_rates(pressed.at.equations.latches, pressed.at.equations.workspace);
+  const double swing = std::sqrt(1.5 * forces.normal_force / (forces.gap.penetration * 2.0));
+  EXPECT_NEAR(rates.swing, swing, 1e-5 * swing);
+  EXPECT_EQ(rates.decay, 0.0) << "neither damped nor rubbed";
+}
 
 TEST(ContactResponse, LeavesAMotionWithoutContactsAlone) {
   const Mechanism mechanism = oracle::make_nine_bar();
@@ -123,7 +157,9 @@ TEST(ContactResponse, LeavesAMotionWithoutContactsAlone) {
   std::vector<double> residual(at.equations.n_free(), 2.0);
   response.correct(residual.data());
   for (const double value : residual) EXPECT_EQ(value, 2.0);
-  EXPECT_EQ(response.find_fastest_rate(at.equations.latches, at.equations.workspace), 0.0);
+  const ContactRates rates = response.find_rates(at.equations.latches, at.equations.workspace);
+  EXPECT_EQ(rates.decay, 0.0);
+  EXPECT_EQ(rates.swing, 0.0);
 }
 
 }  // namespace

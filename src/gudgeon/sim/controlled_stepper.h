@@ -43,7 +43,10 @@ class ControlledStepper : public Stepper {
   void begin_ledger(std::span<const double> y) noexcept {
     ledger_.begin(equations_.find_residual(y.data()), find_exchanged(y));
   }
-  void note_accepted(double h) { control_.note_step(h); }
+  // A step that was ended early, where a contact changes, says nothing of how long others may be.
+  void note_accepted(double h) {
+    if (h == attempted_) control_.note_step(h);
+  }
 
  private:
   [[nodiscard]] double find_exchanged(std::span<const double> y) const noexcept {

@@ -23,10 +23,12 @@ class ImplicitStepper final : public ControlledStepper, private DenseStep {
   void begin(double time, const std::vector<double>& y, const std::vector<double>& slope, bool continues) override;
   void end_at(double h) override;
   void accept() override;
-  /// [1/s] the fastest rate that contacts put into the motion at the end of the last step.
-  [[nodiscard]] double find_fastest_rate() const noexcept {
-    return response_.find_fastest_rate(equations_.latches, equations_.workspace);
+  /// The fastest rates that contacts put into the motion at the end of the last step.
+  [[nodiscard]] ContactRates find_rates() const noexcept {
+    return response_.find_rates(equations_.latches, equations_.workspace);
   }
+  /// How many contacts press there.
+  [[nodiscard]] int n_pressing() const noexcept { return response_.n_pressing(); }
   [[nodiscard]] const DenseStep& dense() const override { return *this; }
   [[nodiscard]] std::span<const double> weights() const override { return Esdirk::kWeights; }
   [[nodiscard]] std::span<const double> nodes() const override { return Esdirk::kNodes; }

@@ -82,7 +82,17 @@ void MotionIntegrator::evaluate_again() {
 // Goes on with another stepper from where the last step ended.
 void MotionIntegrator::use(Stepper& stepper) {
   if (stepper_ == &stepper) return;
-  stepper.take_over(*stepper_);
+  stepper.take_over_end(*stepper_);
+  change_to(stepper);
+}
+
+// Starts again with another stepper from where the last attempt did.
+void MotionIntegrator::retry_with(Stepper& stepper) {
+  stepper.take_over_start(*stepper_);
+  change_to(stepper);
+}
+
+void MotionIntegrator::change_to(Stepper& stepper) {
   stepper_ = &stepper;
   continues_ = false;
   passage_.forget();
@@ -100,13 +110,19 @@ void MotionIntegrator::choose_stepper() {
   }
 }
 
+// Whether the explicit step last tried calls for implicit ones, which can be had.
+bool MotionIntegrator::calls_for_implicit() {
+  if (!implicit_ || !implicit_watch_.note_explicit_step(explicit_->find_stiffness())) return false;
+  return std::ranges::count(equations_.latches, true, &ContactLatch::in_contact) <= ContactResponse::kMost;
+}
+
 void MotionIntegrator::choose_implicit() {
   if (stepper_ == explicit_.get()) {
-    if (!implicit_watch_.note_explicit_step(explicit_->find_stiffness())) return;
+    if (!calls_for_implicit()) return;
     implicit_->propose(kLonger * last_step_);
     use(*implicit_);
   } else if (implicit_watch_.note_implicit_step(last_step_, statistics_.evaluations - n_evaluations_,
-                                                implicit_->find_fastest_rate())) {
+                                                implicit_->find_rates(), implicit_->n_pressing())) {
     explicit_->propose(last_step_);
     use(*explicit_);
   }
@@ -134,11 +150,11 @@ bool MotionIntegrator::prepare_retry() {
   if (stepper_->next_step() < kSmallestStep) {
     if (is_explicit || !explicit_) return false;
     stiffness_watch_.forget();
-    use(*explicit_);
+    retry_with(*explicit_);
     evaluate_again();
-  } else if (is_explicit && implicit_ && implicit_watch_.note_explicit_step(explicit_->find_stiffness())) {
+  } else if (is_explicit && calls_for_implicit()) {
     implicit_->propose(kLonger * explicit_->next_step());
-    use(*implicit_);
+    retry_with(*implicit_);
   } else {
     return true;
   }

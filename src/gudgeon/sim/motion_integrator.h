@@ -49,11 +49,8 @@ class MotionIntegrator {
   [[nodiscard]] double last_step() const { return last_step_; }
   /// Whether the last step was implicit in the forces of contacts.
   [[nodiscard]] bool is_implicit() const { return implicit_ && stepper_ == implicit_.get(); }
-  /// Stages of a step at which contacts are sampled, and their weights [1] in an integral over it.
-  [[nodiscard]] int n_stages() const { return static_cast<int>(stepper_->weights().size()); }
-  [[nodiscard]] double find_weight(int stage) const { return stepper_->weights()[stage]; }
-  [[nodiscard]] double find_node(int stage) const { return stepper_->nodes()[stage]; }
-  [[nodiscard]] double find_share(int stage) const { return stepper_->shares()[stage]; }
+  /// What took the last step: knows its stages, at which contacts are sampled.
+  [[nodiscard]] const Stepper& stepper() const { return *stepper_; }
   /// What a contact was like at a stage of the last step; without force where it was open.
   [[nodiscard]] const ContactSample& find_sample(int stage, std::size_t contact) const {
     return stepper_->find_sample(stage, contact);
@@ -68,8 +65,11 @@ class MotionIntegrator {
 
  private:
   void use(Stepper& stepper);
+  void retry_with(Stepper& stepper);
+  void change_to(Stepper& stepper);
   void choose_stepper();
   void choose_implicit();
+  bool calls_for_implicit();
   bool prepare_retry();
   bool pass_singular_position(double milestone);
   bool attempt_step(double longest, double left);

@@ -27,7 +27,7 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
       end_((study.warm_up_cycles + study.cycles) * cycle_time),
       sample_step_(cycle_time / study.outputs_per_cycle),
       interpolated_(motion_.y().size()) {
-  step_.reserve(static_cast<std::size_t>(motion_.n_stages()));
+  step_.reserve(motion_.stepper().weights().size());
   record_.name = std::move(name);
   record_.cycle_time = cycle_time;
   record_.start_time = warm_up_end_;
@@ -114,15 +114,19 @@ void StageRun::take_step(double step_start) {
 
 void StageRun::deposit_wear() {
   const double h = motion_.last_step();
+  const Stepper& step = motion_.stepper();
+  const std::span<const double> nodes = step.nodes();
+  const std::span<const double> weights = step.weights();
+  const std::span<const double> shares = step.shares();
   for (std::size_t g = 0; g < wear_.size(); ++g) {
     const ContactGroup& group = system_.tables.contact_groups[g];
     bool touched = false;
     for (auto k = static_cast<std::size_t>(group.first_contact); k < static_cast<std::size_t>(group.end_contact); ++k) {
       step_.clear();
-      for (int stage = 0; stage < motion_.n_stages(); ++stage) {
-        const ContactSample& sample = motion_.find_sample(stage, k);
+      for (std::size_t stage = 0; stage < nodes.size(); ++stage) {
+        const ContactSample& sample = step.find_sample(static_cast<int>(stage), k);
         if (sample.normal_force == 0.0) continue;
-        step_.push_back({&sample, motion_.find_node(stage), motion_.find_weight(stage) * h, motion_.find_share(stage)});
+        step_.push_back({&sample, nodes[stage], weights[stage] * h, shares[stage]});
       }
       wear_[g].add(step_);
       touched = touched || !step_.empty();

@@ -63,9 +63,9 @@ class Stepper {
     return samples_[stage][contact];
   }
   /// Goes on where another stepper's last step ended.
-  void take_over(const Stepper& other) {
-    for (auto& stage : samples_) stage = other.samples_.back();
-  }
+  void take_over_end(const Stepper& other) { take_over(other.samples_.back()); }
+  /// Starts again where another stepper's last attempt, which was given up, had started.
+  void take_over_start(const Stepper& other) { take_over(other.samples_.front()); }
   /// A contact has ended.
   void forget_samples(std::size_t contact) {
     for (auto& stage : samples_) stage[contact] = {};
@@ -94,6 +94,11 @@ class Stepper {
   std::vector<double> end_slope_;
 
  private:
+  // The next step begins with the samples of the last stage.
+  void take_over(const std::vector<ContactSample>& samples) {
+    for (auto& stage : samples_) stage = samples;
+  }
+
   std::vector<std::vector<ContactSample>> samples_;  // samples_[stage][contact]
 };
 

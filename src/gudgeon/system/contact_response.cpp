@@ -112,18 +112,19 @@ void ContactResponse::correct(double* residual) const noexcept {
   }
 }
 
-double ContactResponse::find_fastest_rate(std::span<const ContactLatch> latches,
-                                          const Workspace& workspace) const noexcept {
-  double fastest = 0.0;
+ContactRates ContactResponse::find_rates(std::span<const ContactLatch> latches,
+                                         const Workspace& workspace) const noexcept {
+  ContactRates rates;
   for (int p = 0; p < n_pressing_; ++p) {
     const ContactSlopes slopes = find_slopes(pressing_[p], latches, workspace);
     const double normal = gains_(2 * p, 2 * p);
     const double tangential = gains_(2 * p + 1, 2 * p + 1);
-    fastest = std::max(
-        {fastest, std::sqrt(std::abs(slopes.force_by_penetration * normal)), std::abs(slopes.force_by_rate * normal),
-         std::abs(workspace.contact_forces[pressing_[p]].normal_force * slopes.coefficient_by_slip * tangential)});
+    const double friction_by_slip = workspace.contact_forces[pressing_[p]].normal_force * slopes.coefficient_by_slip;
+    rates.decay =
+        std::max({rates.decay, std::abs(slopes.force_by_rate * normal), std::abs(friction_by_slip * tangential)});
+    rates.swing = std::max(rates.swing, std::sqrt(std::abs(slopes.force_by_penetration * normal)));
   }
-  return fastest;
+  return rates;
 }
 
 }  // namespace gudgeon

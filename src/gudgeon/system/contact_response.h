@@ -14,15 +14,21 @@
 
 namespace gudgeon {
 
+/// How fast contacts make a motion change.
+struct ContactRates {
+  double decay = 0.0;  ///< [1/s] of a slip or a penetration that comes to rest
+  double swing = 0.0;  ///< [rad/s] of a penetration about where it rests
+};
+
 /// The stiff part of the Jacobian, of two directions a contact. With b the generalized force of a unit pressure or unit
 /// friction, by virtual work also what makes δ̇ and v of the rates, and S the solution of the equations of motion, a
 /// change Δa of the accelerations that acts for a time τ changes the accelerations by
 ///   J Δa = −S B C Bᵀ Δa,   C = [F_δ̇ τ + F_δ τ², 0; μ (F_δ̇ τ + F_δ τ²), F μ' τ] of each contact.
-/// As J has the rank of B, (I − J)⁻¹ costs a system of two equations a contact (Woodbury). Contacts beyond kMost are
-/// left out. Allocates nothing after construction.
+/// As J has the rank of B, (I − J)⁻¹ costs a system of two equations a contact (Woodbury). Contacts that press beyond
+/// kMost are left out. Allocates nothing after construction.
 class ContactResponse {
  public:
-  static constexpr int kMost = 8;  ///< contacts
+  static constexpr int kMost = 32;  ///< contacts
 
   explicit ContactResponse(const Tables& tables);
 
@@ -33,9 +39,12 @@ class ContactResponse {
   /// Replaces what an acceleration lacks, f(a) − a, by (I − J)⁻¹ (f(a) − a); n_free components.
   void correct(double* residual) const noexcept;
 
-  /// [1/s] The fastest rate at which slips and penetrations come to rest or swing, at the forces of the workspace.
-  [[nodiscard]] double find_fastest_rate(std::span<const ContactLatch> latches,
-                                         const Workspace& workspace) const noexcept;
+  /// How many contacts pressed at the last update.
+  [[nodiscard]] int n_pressing() const { return n_pressing_; }
+
+  /// The fastest rates of the contacts that press, at the forces of the workspace.
+  [[nodiscard]] ContactRates find_rates(std::span<const ContactLatch> latches,
+                                        const Workspace& workspace) const noexcept;
 
  private:
   static constexpr int kRank = 2 * kMost;
