@@ -77,7 +77,7 @@ TEST_P(ChainOfMechanism, AccelerationsAreDerivatives) {
     const auto before = find_motions(t - kChainStep);
     const auto after = find_motions(t + kChainStep);
     std::vector<Vec2> accelerations(chain.rows().size());
-    chain.find_accelerations(motion.eval(t), motion.find_angle_accelerations(t).data(),
+    chain.find_accelerations(motion.eval(t), find_motions(t).data(), motion.find_angle_accelerations(t).data(),
                              motion.find_slide_accelerations(t).data(), accelerations.data());
     for (std::size_t r = 0; r < accelerations.size(); ++r) {
       const Vec2 difference = (0.5 / kChainStep) * (after[r].velocity - before[r].velocity);

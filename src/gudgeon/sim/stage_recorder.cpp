@@ -47,8 +47,12 @@ StageRecorder::StageRecorder(const System& system)
 void StageRecorder::stream(std::size_t block_size, std::function<void(const SampleBlock&)> take) {
   block_size_ = std::min(block_size, std::max(kFewestSamples, kLargestBlock / (sizeof(double) * table_.size())));
   take_ = std::move(take);
-  time_.reserve(block_size_);
-  for (std::vector<double>& values : values_) values.reserve(block_size_);
+}
+
+void StageRecorder::reserve(std::size_t n_samples) {
+  if (block_size_ > 0) n_samples = std::min(n_samples, block_size_);
+  time_.reserve(n_samples);
+  for (std::vector<double>& values : values_) values.reserve(n_samples);
 }
 
 void StageRecorder::hand_over() {

@@ -37,6 +37,8 @@ class StageRecorder {
   /// block would take more than some 30 MB. Nothing is allocated between two blocks.
   void stream(std::size_t block_size, std::function<void(const SampleBlock&)> take);
 
+  /// Makes room for so many samples.
+  void reserve(std::size_t n_samples);
   /// Appends one sample of all channels; initial_energy [J] is that of the stage's start, integrals those carried
   /// along.
   void sample(double time, Workspace& workspace, std::span<const ContactLatch> latches, double initial_energy,

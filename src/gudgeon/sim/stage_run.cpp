@@ -26,6 +26,7 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
       warm_up_end_(study.warm_up_cycles * cycle_time),
       end_((study.warm_up_cycles + study.cycles) * cycle_time),
       sample_step_(cycle_time / study.outputs_per_cycle),
+      n_all_samples_(static_cast<std::size_t>(study.cycles) * static_cast<std::size_t>(study.outputs_per_cycle) + 1),
       interpolated_(motion_.y().size()) {
   step_.reserve(motion_.stepper().weights().size());
   record_.name = std::move(name);
@@ -51,6 +52,7 @@ StageRecord StageRun::run(const State& start, const std::stop_token& stop,
   using Clock = std::chrono::steady_clock;
   const auto clock_start = Clock::now();
   Clock::duration elsewhere{};  // whoever is told of progress may let another case go first
+  recorder_.reserve(n_all_samples_);
   begin(start);
   int reported = 0;
   while (motion_.time() < end_ && record_.status == StageStatus::finished) {
@@ -172,12 +174,11 @@ void StageRun::stop_outside_slots() {
 
 // All samples that fall into the step just taken.
 void StageRun::sample_until(double time) {
-  const std::int64_t n_total = static_cast<std::int64_t>(study_.cycles) * study_.outputs_per_cycle;
   const MotionEquations& equations = motion_.equations();
-  for (; n_samples_ <= n_total; ++n_samples_) {
+  for (; n_samples_ < n_all_samples_; ++n_samples_) {
     const double at = warm_up_end_ + static_cast<double>(n_samples_) * sample_step_;
     // The last sample stands at the end, whatever rounding says.
-    if (at > time && !(n_samples_ == n_total && time >= end_)) return;
+    if (at > time && !(n_samples_ + 1 == n_all_samples_ && time >= end_)) return;
     if (time == 0.0) {
       interpolated_ = motion_.y();
     } else {

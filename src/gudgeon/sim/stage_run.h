@@ -50,7 +50,8 @@ class StageRun {
   double warm_up_end_;  // [s]
   double end_;          // [s]
   double sample_step_;  // [s]
-  std::int64_t n_samples_ = 0;
+  std::size_t n_all_samples_;
+  std::size_t n_samples_ = 0;
   std::vector<double> interpolated_;
   StageRecorder::Energies initial_energies_;
 };

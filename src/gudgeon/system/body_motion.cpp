@@ -34,8 +34,8 @@ const std::vector<BodyMotion>& BodyMotionFinder::update(const Workspace& workspa
     slide_accelerations_[counts.n_free_slides + k] = driven[counts.n_driven_turns + k].acceleration;
   }
   chain_.find_motions(workspace.coordinates, points_.data());
-  chain_.find_accelerations(workspace.coordinates, angle_accelerations_.data(), slide_accelerations_.data(),
-                            accelerations_.data());
+  chain_.find_accelerations(workspace.coordinates, points_.data(), angle_accelerations_.data(),
+                            slide_accelerations_.data(), accelerations_.data());
   for (std::size_t b = 0; b < motions_.size(); ++b) {
     const BodyNode& node = system_->topology.bodies[b];
     motions_[b] = {points_[rows_[b]].position,

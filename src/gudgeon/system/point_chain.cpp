@@ -23,11 +23,12 @@ int PointChain::add(const Path& path, const CoordinateCounts& counts) {
   return static_cast<int>(rows_.size()) - 1;
 }
 
-void PointChain::find_accelerations(const Coordinates& coordinates, const double* angle_accelerations,
-                                    const double* slide_accelerations, Vec2* accelerations) const noexcept {
+void PointChain::find_accelerations(const Coordinates& coordinates, const PointMotion* motions,
+                                    const double* angle_accelerations, const double* slide_accelerations,
+                                    Vec2* accelerations) const noexcept {
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const Row& row = rows_[r];
-    const Vec2 arm = coordinates.rotation[row.turn] * row.vector;
+    const Vec2 arm = motions[r].arm;
     const double scale = coordinates.slide[row.slide];
     const double rate = coordinates.angle_rate[row.turn];
     const double along = slide_accelerations[row.slide] - scale * rate * rate;

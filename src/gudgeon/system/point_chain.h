@@ -48,8 +48,8 @@ class PointChain {
     }
   }
 
-  /// Accelerations of all rows [m/s^2], given those of all turns and slides.
-  void find_accelerations(const Coordinates& coordinates, const double* angle_accelerations,
+  /// Accelerations of all rows [m/s^2], given their motions and the accelerations of all turns and slides.
+  void find_accelerations(const Coordinates& coordinates, const PointMotion* motions, const double* angle_accelerations,
                           const double* slide_accelerations, Vec2* accelerations) const noexcept;
 
  private:
