@@ -10,6 +10,7 @@ packages=(
   libeigen3-dev libboost-dev libmuparser-dev libtomlplusplus-dev libfmt-dev libcli11-dev libhdf5-dev libsundials-dev
   libxsimd-dev
   libgtest-dev libgmock-dev libbenchmark-dev
+  clang libclang-rt-dev
   chromium fonts-dejavu-core librsvg2-bin
 )
 

@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: gudgeon contributors
 # SPDX-License-Identifier: Apache-2.0
 #
-# One target a floor: gudgeon_add_floor(NAME USES lower floors and libraries).
+# One target a floor: gudgeon_add_floor(NAME [UNHURRIED] USES lower floors and libraries).
 # Headers and sources are the files of the floor's folder; each header is checked to stand alone.
 
 add_library(gudgeon_options INTERFACE)
 target_compile_features(gudgeon_options INTERFACE cxx_std_20)
 target_compile_options(gudgeon_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Werror
-  -Wno-restrict  # GCC 12 sees overlaps in std::string that are not there (bug 105651)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 sees overlaps in std::string that are not there (bug 105651)
   -ffp-contract=off  # same bits whatever instruction set the compiler is allowed to use
   # comparisons and square roots need neither errno nor floating-point traps
   -fno-math-errno -fno-trapping-math)
@@ -20,10 +20,11 @@ if(GUDGEON_SANITIZE)
   target_compile_options(gudgeon_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(gudgeon_options INTERFACE -fsanitize=address,undefined)
+  target_compile_definitions(gudgeon_options INTERFACE GUDGEON_SANITIZE)
 endif()
 
-# What only drives the engine, the program and the tests, is not optimized under sanitizers: optimizing it takes longer
-# than it saves. The floors are: they do the arithmetic.
+# What only drives the engine, the program, the tests and the floors that are UNHURRIED, is not optimized under
+# sanitizers: optimizing it takes longer than it saves. The floors that do the arithmetic are.
 add_library(gudgeon_unhurried_options INTERFACE)
 target_link_libraries(gudgeon_unhurried_options INTERFACE gudgeon_options)
 if(GUDGEON_SANITIZE)
@@ -31,7 +32,7 @@ if(GUDGEON_SANITIZE)
 endif()
 
 function(gudgeon_add_floor name)
-  cmake_parse_arguments(arg "" "" "USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(arg "UNHURRIED" "" "USES;PRIVATE_USES" ${ARGN})
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.h)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   set(target gudgeon_${name})
@@ -39,6 +40,9 @@ function(gudgeon_add_floor name)
     add_library(${target} STATIC ${sources})
     set(scope PUBLIC)
     target_link_libraries(${target} PRIVATE gudgeon_options ${arg_PRIVATE_USES})
+    if(arg_UNHURRIED)
+      target_link_libraries(${target} PRIVATE gudgeon_unhurried_options)
+    endif()
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)

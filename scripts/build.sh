@@ -2,12 +2,12 @@
 # SPDX-FileCopyrightText: gudgeon contributors
 # SPDX-License-Identifier: Apache-2.0
 #
-# build.sh DIRECTORY TARGET [cmake options]: configures and builds, silent unless something goes wrong.
+# build.sh DIRECTORY "TARGET ..." [cmake options]: configures and builds, silent unless something goes wrong.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
 directory="$1"
-target="$2"
+read -ra targets <<<"$2"
 shift 2
 log="$(mktemp)"
 trap 'rm -f "$log"' EXIT
@@ -16,8 +16,8 @@ if ! cmake -S . -B "$directory" -G Ninja "$@" >"$log" 2>&1; then
   exit 1
 fi
 if [[ -t 1 ]]; then
-  cmake --build "$directory" --target "$target"
-elif ! cmake --build "$directory" --target "$target" >"$log" 2>&1; then
+  cmake --build "$directory" --target "${targets[@]}"
+elif ! cmake --build "$directory" --target "${targets[@]}" >"$log" 2>&1; then
   cat "$log" >&2
   exit 1
 fi

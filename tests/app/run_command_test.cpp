@@ -162,7 +162,7 @@ bool wait_for_stage(const TemporaryFolder& folder, const std::string& run_file, 
 
 TEST(RunCommand, ResumedRunHasTheSameBits) {
 // A stage takes about a second then, long enough to be interrupted.
-#ifdef __SANITIZE_ADDRESS__
+#ifdef GUDGEON_SANITIZE
   const std::string cycles = "study.cycles=4";
 #else
   const std::string cycles = "study.cycles=40";

@@ -52,14 +52,14 @@ struct Press {
   SolverStatistics statistics;
 };
 
-struct FinishedMotion {
+struct SteppedMotion {
   std::vector<double> y;
   std::vector<double> middle;  // by dense output of the last step
 };
 
 // Goes on for `duration` in n steps.
 template <class Stepper>
-FinishedMotion run_steps(double duration, int n) {
+SteppedMotion run_steps(double duration, int n) {
   Press press;
   Stepper stepper(press.equations, press.statistics, press.tolerance, kFirstStep);
   std::vector<double> y = press.y;
@@ -71,7 +71,7 @@ FinishedMotion run_steps(double duration, int n) {
     y = stepper.end();
     slope = stepper.end_slope();
   }
-  FinishedMotion motion{y, std::vector<double>(y.size())};
+  SteppedMotion motion{y, std::vector<double>(y.size())};
   stepper.dense().interpolate(0.5, y.size(), motion.middle.data());
   return motion;
 }
@@ -86,7 +86,7 @@ double find_difference(const std::vector<double>& a, const std::vector<double>& 
   return largest;
 }
 
-constexpr double kDuration = 1e-4;  // [s] over which the journal sticks
+constexpr double kSticking = 1e-4;  // [s] over which the journal sticks
 
 TEST(ImplicitStepper, IsTriedWhereAJournalSticks) {
   const Press press;
@@ -98,8 +98,8 @@ TEST(ImplicitStepper, IsTriedWhereAJournalSticks) {
 }
 
 TEST(ImplicitStepper, ConvergesToWhatExplicitStepsConvergeTo) {
-  const FinishedMotion exact = run_steps<ExplicitStepper>(kDuration, 1000);
-  const auto find_error = [&](int n) { return find_difference(run_steps<ImplicitStepper>(kDuration, n).y, exact.y); };
+  const SteppedMotion exact = run_steps<ExplicitStepper>(kSticking, 1000);
+  const auto find_error = [&](int n) { return find_difference(run_steps<ImplicitStepper>(kSticking, n).y, exact.y); };
   // Of the order 5 friction leaves what stages of order 2 have where it is stiff: at least 3.
   EXPECT_LT(find_error(12), 1e-6);
   EXPECT_LT(find_error(24), find_error(12) / 6.0);
@@ -107,22 +107,22 @@ TEST(ImplicitStepper, ConvergesToWhatExplicitStepsConvergeTo) {
 }
 
 TEST(ImplicitStepper, CarriesIntegralsAlong) {
-  const FinishedMotion exact = run_steps<ExplicitStepper>(kDuration, 1000);
-  const FinishedMotion motion = run_steps<ImplicitStepper>(kDuration, 24);
+  const SteppedMotion exact = run_steps<ExplicitStepper>(kSticking, 1000);
+  const SteppedMotion motion = run_steps<ImplicitStepper>(kSticking, 24);
   for (std::size_t i = exact.y.size() - kEnergyIntegrals; i < exact.y.size(); ++i) {
     EXPECT_NEAR(motion.y[i], exact.y[i], 1e-6 * exact.y.back()) << "of all that was exchanged; integral " << i;
   }
 }
 
 TEST(ImplicitStepper, StaysStableWhereExplicitStepsDoNot) {
-  const FinishedMotion exact = run_steps<ExplicitStepper>(kDuration, 1000);
-  const double expected = find_difference(run_steps<ExplicitStepper>(kDuration, 6).y, exact.y);
-  EXPECT_LT(find_difference(run_steps<ImplicitStepper>(kDuration, 6).y, exact.y), 1e-3 * expected);
+  const SteppedMotion exact = run_steps<ExplicitStepper>(kSticking, 1000);
+  const double expected = find_difference(run_steps<ExplicitStepper>(kSticking, 6).y, exact.y);
+  EXPECT_LT(find_difference(run_steps<ImplicitStepper>(kSticking, 6).y, exact.y), 1e-3 * expected);
 }
 
 TEST(ImplicitStepper, DenseOutputMeetsTheMotion) {
-  const FinishedMotion step = run_steps<ImplicitStepper>(kDuration, 12);
-  const FinishedMotion exact = run_steps<ExplicitStepper>(kDuration * 23.0 / 24.0, 1000);
+  const SteppedMotion step = run_steps<ImplicitStepper>(kSticking, 12);
+  const SteppedMotion exact = run_steps<ExplicitStepper>(kSticking * 23.0 / 24.0, 1000);
   EXPECT_LT(find_difference(step.middle, exact.y), 1e-5);
 }
 

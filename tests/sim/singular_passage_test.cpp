@@ -13,7 +13,7 @@
 namespace gudgeon {
 namespace {
 
-constexpr double kTolerance = 1e-9;
+constexpr double kPassageTolerance = 1e-9;
 constexpr double kSingularTime = 1.3;
 
 double find_closeness(double t) { return 1.0 / ((t - kSingularTime) * (t - kSingularTime)); }
@@ -37,7 +37,7 @@ struct Approach {
     }
   }
 
-  SingularPassage passage{3, kTolerance};
+  SingularPassage passage{3, kPassageTolerance};
   std::optional<double> far_side;
   double time;
 };
@@ -53,7 +53,7 @@ TEST(SingularPassage, ContinuesASmoothMotion) {
     std::vector<double> y(3);
     approach.passage.interpolate(t, y);
     for (std::size_t i = 0; i < y.size(); ++i)
-      EXPECT_NEAR(y[i], find_y(t)[i], kTolerance * std::max(1.0, std::abs(y[i])));
+      EXPECT_NEAR(y[i], find_y(t)[i], kPassageTolerance * std::max(1.0, std::abs(y[i])));
   }
 }
 
@@ -71,7 +71,7 @@ TEST(SingularPassage, RefusesARoughMotion) {
 }
 
 TEST(SingularPassage, RefusesWithoutEnoughHistory) {
-  SingularPassage passage(3, kTolerance);
+  SingularPassage passage(3, kPassageTolerance);
   EXPECT_FALSE(passage.find_far_side());
   for (int k = 0; k < 6; ++k) {
     // All nearer together than a third of the stride.
@@ -103,7 +103,7 @@ TEST(SingularPassage, NotANumberIsNotNear) {
 }
 
 TEST(SingularPassage, MovingAwayNeitherStridesNorShortensSteps) {
-  SingularPassage passage(3, kTolerance);
+  SingularPassage passage(3, kPassageTolerance);
   for (int k = 1; k < 40; ++k) {
     const double t = kSingularTime + 0.01 * k;
     passage.note(t, find_y(t), find_slope(t), find_closeness(t));
@@ -113,7 +113,7 @@ TEST(SingularPassage, MovingAwayNeitherStridesNorShortensSteps) {
 }
 
 TEST(SingularPassage, StepsShortenOnlyNearIt) {
-  SingularPassage passage(3, kTolerance);
+  SingularPassage passage(3, kPassageTolerance);
   for (const double left : {0.42, 0.4, 0.25, 0.23}) {
     const double t = kSingularTime - left;
     passage.note(t, find_y(t), find_slope(t), find_closeness(t));

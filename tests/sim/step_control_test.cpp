@@ -30,7 +30,7 @@ StillStep make_step(std::vector<double> y, std::vector<double> errors, double h 
   return {std::move(y), std::move(errors), h, 0.0};
 }
 
-Study make_study() {
+Study make_step_study() {
   Study study;
   study.absolute_tolerance = 1e-9;
   study.relative_tolerance = 1e-7;
@@ -39,7 +39,7 @@ Study make_study() {
 
 // Two components, an angle and a rate, and one that is carried along.
 StepControl make_control() {
-  static const ErrorTolerance tolerance(make_study(), 1, 2);
+  static const ErrorTolerance tolerance(make_step_study(), 1, 2);
   return {tolerance, 1e-5};
 }
 

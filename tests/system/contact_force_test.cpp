@@ -17,7 +17,7 @@
 namespace gudgeon {
 namespace {
 
-constexpr Material kSteel{"", 200e9, 0.3};
+const Material kSteel{"", 200e9, 0.3};
 
 RadialProfile make_wear(std::size_t n, unsigned seed) {
   std::mt19937 random(seed);

@@ -37,7 +37,7 @@ void draw_hatching(SvgCanvas& canvas, Vec2 center, Vec2 along, Vec2 below, doubl
 std::vector<Vec2> find_convex_hull(std::vector<Vec2> points) {
   const auto before = [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
   std::ranges::sort(points, before);
-  points.erase(std::ranges::unique(points).begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   const Vec2 spread = points.back() - points.front();
   // A corner that stands out by less than a billionth of the size is rounding, not shape.

@@ -133,7 +133,7 @@ std::string render_stated_values(const ReportCase& one) {
   std::string html;
   std::vector<StatusMeaning> statuses = one.statuses;
   // Printed values are the least to argue about: the rest comes first.
-  std::ranges::stable_partition(statuses, [](const StatusMeaning& s) { return s.status != "P"; });
+  std::stable_partition(statuses.begin(), statuses.end(), [](const StatusMeaning& s) { return s.status != "P"; });
   for (const StatusMeaning& status : statuses) {
     html += render_stated_group(one, status.status, fmt::format("{}: {}", status.status, status.meaning),
                                 status.status == "A");
