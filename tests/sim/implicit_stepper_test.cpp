@@ -168,5 +168,22 @@ TEST(ImplicitStepper, AStepThatCannotBeSolvedEndsNowhere) {
   }
 }
 
+// Of a tolerance next to rounding a stage can be solved no further than rounding lets it.
+TEST(ImplicitStepper, SolvesStagesToRoundingWhereToleranceAsksForMore) {
+  Press press;
+  Study study = press.tight;
+  study.relative_tolerance = 1e-14;
+  study.absolute_tolerance = 1e-15;
+  const ErrorTolerance tolerance{study, static_cast<std::size_t>(press.system.tables.counts.n_free_turns),
+                                 2 * press.equations.n_free()};
+  ImplicitStepper stepper(press.equations, press.statistics, tolerance, kFirstStep);
+  stepper.begin(press.time, press.y, press.slope, false);
+  for (const double h : {1e-7, 1e-6}) {
+    stepper.end_at(h);
+    stepper.accept();
+    for (const double value : stepper.end()) ASSERT_TRUE(std::isfinite(value)) << h;
+  }
+}
+
 }  // namespace
 }  // namespace gudgeon

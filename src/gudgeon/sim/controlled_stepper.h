@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Steppers that remember nothing of the motion: each step by a Runge-Kutta pair, its length by the pair's error
-// estimate.
+// Steppers that start from the state alone: each step by a Runge-Kutta pair, its length by the pair's error estimate.
 #pragma once
 
 #include <algorithm>

@@ -17,6 +17,9 @@ constexpr int kStages = Esdirk::kStages;
 // A stage is solved once a correction is below this share of the tolerance; the last one is still made. The energy
 // ledger may hold a step to a tenth of its tolerance, and powers are those before the last correction.
 constexpr double kSolved = 0.001;
+// Of tolerances next to rounding, corrections below this share that no longer shrink are all that can be had.
+constexpr double kNearlySolved = 0.1;
+constexpr double kStalled = 0.5;
 // Contact forces alone are left to the corrections, so they shrink fast or not at all.
 constexpr int kMostCorrections = 8;
 
@@ -93,6 +96,7 @@ bool ImplicitStepper::solve_stage(int stage) noexcept {
   }
   guess_accelerations(stage);
   std::vector<double>& slope = slopes_[stage];
+  double last_size = std::numeric_limits<double>::infinity();
   for (int correction = 0; correction < kMostCorrections; ++correction) {
     for (std::size_t i = 0; i < n; ++i) {
       end_[n + i] = base_[n + i] + tau * acceleration_[i];
@@ -106,7 +110,9 @@ bool ImplicitStepper::solve_stage(int stage) noexcept {
     const double size = find_size(tau);
     if (!std::isfinite(size)) return false;
     for (std::size_t i = 0; i < n; ++i) acceleration_[i] += residual_[i];
-    if (size > kSolved) continue;
+    const bool is_rounding = size < kNearlySolved && size > kStalled * last_size;
+    last_size = size;
+    if (size > kSolved && !is_rounding) continue;
     take_samples(stage);
     if (stage == kStages - 1) std::ranges::copy(slope, end_slope_.begin());
     for (std::size_t i = 0; i < n; ++i) {
