@@ -25,7 +25,8 @@ class ControlledStepper : public Stepper {
     attempted_ = h;
     end_at(h);
     AttemptedStep step = describe_attempt();
-    step.ledger_error = ledger_.find_error(equations_.find_residual(step.end.data()), find_exchanged(step.end));
+    end_residual_ = equations_.find_residual(step.end.data());
+    step.ledger_error = ledger_.find_error(end_residual_, find_exchanged(step.end));
     return control_.accepts(step);
   }
   void shorten() final { control_.shorten(attempted_); }
@@ -39,12 +40,14 @@ class ControlledStepper : public Stepper {
   /// The last attempt; an error that is not finite where it failed.
   [[nodiscard]] virtual AttemptedStep describe_attempt() const = 0;
   /// The workspace was evaluated at the start of the next step.
-  void begin_ledger(std::span<const double> y) noexcept {
-    ledger_.begin(equations_.find_residual(y.data()), find_exchanged(y));
+  void begin_ledger(const std::vector<double>& y, bool continues) noexcept {
+    const bool is_known = continues && was_whole_ && y == end_;
+    ledger_.begin(is_known ? end_residual_ : equations_.find_residual(y.data()), find_exchanged(y));
   }
   // A step that was ended early, where a contact changes, says nothing of how long others may be.
   void note_accepted(double h) {
-    if (h == attempted_) control_.note_step(h);
+    was_whole_ = h == attempted_;
+    if (was_whole_) control_.note_step(h);
   }
 
  private:
@@ -54,7 +57,9 @@ class ControlledStepper : public Stepper {
 
   StepControl control_;
   LedgerControl ledger_;
-  double attempted_ = 0.0;  // [s]
+  double attempted_ = 0.0;     // [s]
+  double end_residual_ = 0.0;  // [J] of the ledger at the end of the attempt
+  bool was_whole_ = false;     // the last step was as long as it was attempted
 };
 
 }  // namespace gudgeon

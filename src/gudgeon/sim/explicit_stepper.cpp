@@ -16,9 +16,9 @@ ExplicitStepper::ExplicitStepper(MotionEquations& equations, SolverStatistics& s
       tolerance_(tolerance) {}
 
 void ExplicitStepper::begin(double time, const std::vector<double>& y, const std::vector<double>& slope,
-                            bool /*continues*/) {
+                            bool continues) {
   formula_.begin(time, y, slope);
-  begin_ledger(y);
+  begin_ledger(y, continues);
   pass_samples_on();
 }
 

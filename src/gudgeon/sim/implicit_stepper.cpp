@@ -61,7 +61,7 @@ void ImplicitStepper::begin(double time, const std::vector<double>& y, const std
     response_.update(equations_.workspace);
     has_response_ = true;
   }
-  begin_ledger(y);
+  begin_ledger(y, continues);
 }
 
 void ImplicitStepper::end_at(double h) {

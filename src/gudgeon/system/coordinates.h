@@ -6,18 +6,20 @@
 
 #include <vector>
 
+#include "gudgeon/base/rotations.h"
 #include "gudgeon/base/vec2.h"
 #include "gudgeon/system/motion_function.h"
 #include "gudgeon/system/topology.h"
 
 namespace gudgeon {
 
-/// Angles, their cosines and sines, displacements, and the rates of all: free, driven, and the constant last one. Owns
-/// the functions that its drivers' motions are evaluated with.
+/// Angles, their cosines and sines, displacements, and the rates of all: free, driven, and the constant last one.
+/// Behind the angles of the turns stand zeros that fill lanes. Owns the functions that its drivers' motions are
+/// evaluated with.
 struct Coordinates {
   explicit Coordinates(const CoordinateCounts& counts, const std::vector<DrivenMotion>& motions = {})
-      : angle(counts.n_turns(), 0.0),
-        rotation(counts.n_turns()),
+      : angle((static_cast<std::size_t>(counts.n_turns()) + kRotationLanes - 1) / kRotationLanes * kRotationLanes, 0.0),
+        rotation(angle.size()),
         angle_rate(counts.n_turns(), 0.0),
         slide(counts.n_slides(), 1.0),
         slide_rate(counts.n_slides(), 0.0),

@@ -38,8 +38,7 @@ void update_coordinates(const Tables& tables, double t, const double* q, const d
     coordinates.slide[counts.n_free_slides + k] = driven.value;
     coordinates.slide_rate[counts.n_free_slides + k] = driven.rate;
   }
-  const auto n_turns = static_cast<std::size_t>(n_free_turns + counts.n_driven_turns);
-  make_rotations(std::span<const double>(coordinates.angle).first(n_turns), coordinates.rotation.data());
+  make_rotations(coordinates.angle, coordinates.rotation.data());
 }
 
 void update_point_motions(const Tables& tables, Workspace& workspace) noexcept {
