@@ -17,8 +17,10 @@ namespace {
 constexpr double kShort = 2.0;
 constexpr double kStable = 3.0;
 constexpr double kStableSwing = 2.0;
-// Steps that a mean is taken over, and the most of h |λ| that counts in it.
-constexpr int kMeanOf = 16;
+// Short on average, which decays that accuracy follows are not for long; steps that the mean is taken over, and the
+// most of h |λ| that counts in it.
+constexpr double kShortOnAverage = 1.9;
+constexpr int kMeanOf = 48;
 constexpr double kMostStiffness = 4.0;
 constexpr double kExplicitCost = Tsitouras::kStages - 1;  // evaluations
 // An explicit step that accuracy holds is longer than an implicit one by about this.
@@ -40,7 +42,7 @@ bool ImplicitWatch::note_explicit_step(double stiffness) {
   n_short_ = stiffness > kShort ? n_short_ + 1 : 0;
   mean_ += (std::min(stiffness, kMostStiffness) - mean_) / kMeanOf;
   const int more = patience_ / kLeastShort;
-  const bool short_on_average = mean_ > kShort && n_explicit_ >= kMeanOf * more;
+  const bool short_on_average = mean_ > kShortOnAverage && n_explicit_ >= kMeanOf * more;
   if (n_short_ < patience_ && !short_on_average) return false;
   trial_ = short_on_average ? kTrial * more : kTrial;
   n_implicit_ = 0;
