@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace gudgeon {
 namespace {
@@ -83,6 +84,12 @@ TEST(ImplicitWatch, ShortStepsOnAverageCallForImplicitOnesAndForEverLongerTrials
     EXPECT_EQ(n_steps, n_steps_expected);
     n_steps_expected *= 2;
   }
+}
+
+TEST(ImplicitWatch, GoesOnCountingAfterAStepThatWasLost) {
+  ImplicitWatch watch;
+  EXPECT_FALSE(watch.note_explicit_step(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_LT(count_swinging_steps_until_change(watch), 1000);
 }
 
 TEST(ImplicitWatch, SmoothStepsNeverCallForImplicitOnes) {

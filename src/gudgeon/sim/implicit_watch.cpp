@@ -40,7 +40,7 @@ constexpr int kMostPatience = 48;
 bool ImplicitWatch::note_explicit_step(double stiffness) {
   ++n_explicit_;
   n_short_ = stiffness > kShort ? n_short_ + 1 : 0;
-  mean_ += (std::min(stiffness, kMostStiffness) - mean_) / kMeanOf;
+  mean_ += (std::min(kMostStiffness, stiffness) - mean_) / kMeanOf;  // in this order NaN counts as the most
   const int more = patience_ / kLeastShort;
   const bool short_on_average = mean_ > kShortOnAverage && n_explicit_ >= kMeanOf * more;
   if (n_short_ < patience_ && !short_on_average) return false;

@@ -8,11 +8,11 @@
 
 namespace gudgeon {
 
-/// Both kinds of step start from the state alone, so a change costs nothing and is made as soon as it pays: what counts
-/// is evaluations a second of motion. Explicit steps that stability holds short call for implicit ones, a few in a row
-/// or, where a contact swings and h |λ| jumps from step to step, many on average. Implicit steps go on until explicit
-/// ones, by the fastest rates there are, would take fewer evaluations. Where that is so at once, the next call needs
-/// twice as many short steps; where contacts swing the implicit ones are then given twice the time.
+/// Both kinds of step start from the state alone, so a change costs next to nothing and is made as soon as it pays:
+/// what counts is evaluations a second of motion. Explicit steps that stability holds short call for implicit ones, a
+/// few in a row or, where a contact swings and h |λ| jumps from step to step, many on average. Implicit steps go on
+/// until explicit ones, by the fastest rates there are, would take fewer evaluations. Where that is so at once, the
+/// next call needs twice as many short steps; where contacts swing the implicit ones are then given twice the time.
 class ImplicitWatch {
  public:
   /// An explicit step with h |λ| = stiffness [1]: whether the next one is to be implicit.
