@@ -19,8 +19,8 @@ namespace {
 
 /// Only what may be called between fork and exec.
 [[noreturn]] void become_program(const char* folder, const char* out, const char* err, char* const* arguments) {
-  const int out_file = ::open(out, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  const int err_file = ::open(err, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  const int out_file = ::open(out, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0666);
+  const int err_file = ::open(err, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0666);
   if (out_file < 0 || err_file < 0 || ::chdir(folder) != 0) ::_exit(126);
   ::dup2(out_file, STDOUT_FILENO);
   ::dup2(err_file, STDERR_FILENO);
@@ -48,8 +48,8 @@ std::filesystem::path TemporaryFolder::write(std::string_view name, std::string_
 }
 
 RunningProgram::RunningProgram(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
-                               const std::filesystem::path& out)
-    : out_(out.empty() ? folder.path() / "stdout.txt" : out), err_(folder.path() / "stderr.txt") {
+                               const std::filesystem::path& out, const std::filesystem::path& err)
+    : out_(out.empty() ? folder.path() / "stdout.txt" : out), err_(err.empty() ? folder.path() / "stderr.txt" : err) {
   std::vector<std::string> words = {GUDGEON_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
@@ -77,6 +77,10 @@ Outcome run_program(const TemporaryFolder& folder, const std::vector<std::string
 }
 
 std::string find_slider_crank() { return GUDGEON_SOURCE_DIR "/tests/app/slider_crank.toml"; }
+
+std::string find_case(std::string_view name) {
+  return std::string(GUDGEON_SOURCE_DIR "/tests/cases/").append(name) + ".toml";
+}
 
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file);

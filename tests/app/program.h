@@ -35,11 +35,11 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The program at work; standard output and error go to files in the folder.
+/// The program at work; standard output and error go to files in the folder, or to one file where both are given it.
 class RunningProgram {
  public:
   RunningProgram(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
-                 const std::filesystem::path& out = {});
+                 const std::filesystem::path& out = {}, const std::filesystem::path& err = {});
   void send(int signal) const;
   /// Waits for its end.
   Outcome wait();
@@ -54,6 +54,9 @@ class RunningProgram {
 Outcome run_program(const TemporaryFolder& folder, const std::vector<std::string>& arguments);
 
 std::string read_text(const std::filesystem::path& file);
+
+/// The file of that name in tests/cases, as an argument.
+std::string find_case(std::string_view name);
 
 /// The slider-crank's model file, as an argument.
 std::string find_slider_crank();

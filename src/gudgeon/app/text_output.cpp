@@ -28,7 +28,7 @@ void write_stdout(std::string_view text) {
 }
 
 void flush_stdout() {
-  if (std::fflush(stdout) != 0) fail();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) fail();
 }
 
 bool find_color_wanted() {
@@ -37,6 +37,7 @@ bool find_color_wanted() {
 }
 
 void write_stderr(std::string_view text) {
+  std::fflush(stdout);  // a failure stays in the stream's error flag, for flush_stdout
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }

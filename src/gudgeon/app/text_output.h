@@ -15,7 +15,7 @@ void flush_stdout();
 /// Whether standard output is a terminal that wants colour (NO_COLOR is not set).
 bool find_color_wanted();
 
-/// Messages; nobody is left to be told when they cannot be written.
+/// Messages, after what standard output was given before; nobody is left to be told when they cannot be written.
 void write_stderr(std::string_view text);
 
 }  // namespace gudgeon
