@@ -57,6 +57,19 @@ TEST(ReportPage, HoldsAShortRunWhole) {
   EXPECT_THAT(page, Not(HasSubstr("All cases, after their last stage")));
 }
 
+TEST(ReportPage, WarnsOfAStageThatDoesNotAddUp) {
+  ReportPage page(2);
+  ReportCase one = make_long_case(0, 4);
+  page.add_case(one);
+  one.run.case_name = "off";
+  one.run.stages[1].ledger.friction += 1.0;
+  page.add_case(one);
+  const std::string html = page.render();
+  EXPECT_EQ(count(html, "E-NUM-020"), 1U);
+  EXPECT_THAT(html, HasSubstr("Stage “no wear”: E-NUM-020: its energy does not add up"));
+  EXPECT_EQ(count(html, "finished, energy does not add up"), 1U);
+}
+
 TEST(ReportPage, SaysWhatOfALongRunIsReduced) {
   EXPECT_THAT(make_page(1, 60, 0), HasSubstr("Of every stage the last 20 cycles are here sample by sample. Of those "
                                              "before, each of 1000 spans"));

@@ -42,9 +42,24 @@ TEST(RunSummary, HasEverySection) {
   EXPECT_THAT(text, ContainsRegex("work of forces and torques +2.500 J"));
   EXPECT_THAT(text, ContainsRegex("lost in dampers +1.750 J"));
   EXPECT_THAT(text, Not(HasSubstr("work of worn surfaces"))) << "no stage has any";
-  EXPECT_THAT(text, ContainsRegex("residual / exchanged +0.0e.00"));
+  EXPECT_THAT(text, ContainsRegex("energy exchanged +23.25 J"));
+  EXPECT_THAT(text, ContainsRegex("scale: exchanged and held +23.55 J"));
+  EXPECT_THAT(text, ContainsRegex("residual / scale +0.0e.00"));
   EXPECT_THAT(text, ContainsRegex("adds up +yes +yes +yes"));
   EXPECT_THAT(text, HasSubstr("What differs by nature"));
+}
+
+TEST(RunSummary, TellsAStageThatDoesNotAddUp) {
+  RunRecord run = test::make_run();
+  EXPECT_THAT(render_info(run, false), Not(HasSubstr("E-NUM-020")));
+  run.stages[1].ledger.friction += 1.0;
+  const std::string summary = render_summary(run, kPublished, false);
+  EXPECT_THAT(summary, HasSubstr("no_wear: E-NUM-020: its energy does not add up"));
+  EXPECT_THAT(summary, ContainsRegex("adds up +yes +NO +yes"));
+  const std::string info = render_info(run, false);
+  EXPECT_THAT(info, HasSubstr("no_wear: E-NUM-020: its energy does not add up"));
+  EXPECT_THAT(info, ContainsRegex("no_wear [^\n]* NO +A"));
+  EXPECT_THAT(info, ContainsRegex("wear_1 [^\n]* yes +A"));
 }
 
 TEST(RunSummary, SetsPublishedValuesBesideOurs) {
@@ -98,7 +113,7 @@ TEST(RunSummary, ScatteredRangesAreCounted) {
 
 TEST(RunInfo, TellsWhatTheFileHolds) {
   const std::string text = render_info(test::make_run(), false);
-  EXPECT_THAT(text, ContainsRegex("no_wear +0 s +2.000 s +201 +4 +3 +0.0e.00 +A .100."));
+  EXPECT_THAT(text, ContainsRegex("no_wear +0 s +2.000 s +201 +4 +3 +0.0e.00 +yes +A .100."));
   EXPECT_THAT(text, HasSubstr("6 channels from stage 'ideal' on"));
   EXPECT_THAT(text, HasSubstr("7 channels from stage 'no_wear' on"));
   EXPECT_THAT(text, Not(HasSubstr("from stage 'wear_1' on")));

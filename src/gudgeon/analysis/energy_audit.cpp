@@ -4,7 +4,8 @@
 // The energy ledger line by line, and its verdict.
 #include "gudgeon/analysis/energy_audit.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace gudgeon {
@@ -24,15 +25,24 @@ EnergyAudit check_energy(const EnergyLedger& ledger) {
       {"work of worn surfaces", -ledger.surface_work},
   }};
   audit.residual = ledger.residual();
-  audit.scale = ledger.exchanged;
-  if (!(audit.scale > 0.0)) {
-    for (const double held : {ledger.initial_energy, ledger.kinetic, ledger.potential, ledger.elastic}) {
-      audit.scale = std::max(audit.scale, std::abs(held));
-    }
-  }
+  audit.exchanged = ledger.exchanged;
+  audit.scale = find_energy_scale(ledger);
   audit.relative = audit.residual == 0.0 ? 0.0 : std::abs(audit.residual) / audit.scale;
-  audit.closed = audit.relative <= kEnergyTolerance;
+  audit.closed = is_closed(ledger);
   return audit;
+}
+
+bool is_unbalanced(const StageRecord& stage) {
+  return stage.status == StageStatus::finished && !is_closed(stage.ledger);
+}
+
+std::string explain_imbalance(const StageRecord& stage) {
+  if (!is_unbalanced(stage)) return {};
+  const EnergyAudit audit = check_energy(stage.ledger);
+  return fmt::format(
+      "E-NUM-020: its energy does not add up: the residual is {:.3g} J, {:.1e} of the energy exchanged and held, more "
+      "than {:.0e}; lower study.relative_tolerance",
+      audit.residual, audit.relative, kEnergyTolerance);
 }
 
 }  // namespace gudgeon

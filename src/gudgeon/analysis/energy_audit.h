@@ -5,14 +5,11 @@
 #pragma once
 
 #include <array>
+#include <string>
 
-#include "gudgeon/results/run_record.h"
+#include "gudgeon/results/energy_balance.h"
 
 namespace gudgeon {
-
-/// The books are closed when the residual is below this part of the energy exchanged: some ten times what local
-/// errors at the default tolerance of 1e-7 add up to, and far below any term one would look at.
-inline constexpr double kEnergyTolerance = 1e-6;
 
 /// One line of the ledger as it enters the sum, which would be zero in exact arithmetic.
 struct EnergyLine {
@@ -22,12 +19,19 @@ struct EnergyLine {
 
 struct EnergyAudit {
   std::array<EnergyLine, 10> lines;
-  double residual = 0.0;  ///< [J] sum of the lines
-  double scale = 0.0;     ///< [J] energy exchanged; where nothing was, the largest energy held
-  double relative = 0.0;  ///< [1] |residual| / scale
-  bool closed = false;    ///< relative is at most kEnergyTolerance
+  double residual = 0.0;   ///< [J] sum of the lines
+  double exchanged = 0.0;  ///< [J]
+  double scale = 0.0;      ///< [J] what it is measured by, find_energy_scale()
+  double relative = 0.0;   ///< [1] |residual| / scale
+  bool closed = false;     ///< relative is at most kEnergyTolerance
 };
 
 EnergyAudit check_energy(const EnergyLedger& ledger);
+
+/// Whether the stage finished and its energy does not add up: its numbers are not to be relied on.
+bool is_unbalanced(const StageRecord& stage);
+
+/// What to tell of an unbalanced stage: by how much, and what to do. Empty for any other.
+std::string explain_imbalance(const StageRecord& stage);
 
 }  // namespace gudgeon

@@ -57,7 +57,8 @@ void print_results(const std::vector<CaseRun>& cases, bool quiet) {
   for (const CaseRun& one : cases) {
     if (one.message.empty()) continue;
     write_stderr(fmt::format("gudgeon: case {}: {}\n", one.name, one.message));
-    if (one.is_written) write_stderr(fmt::format("  what was finished is kept in {}\n", one.file.string()));
+    if (one.code == ExitCode::unbalanced || !one.is_written) continue;  // it finished, or it left nothing
+    write_stderr(fmt::format("  what was finished is kept in {}\n", one.file.string()));
   }
 }
 

@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "gudgeon/analysis/energy_audit.h"
 #include "gudgeon/app/interruption.h"
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/explain.h"
@@ -35,11 +36,20 @@ RunRecord make_header(const CaseRun& one) {
   return header;
 }
 
-/// What a stage that did not finish means for its case.
+void add_message(CaseRun& one, const StageRecord& stage, const std::string& message) {
+  one.message += fmt::format("{}stage {}: {}", one.message.empty() ? "" : "\n  ", stage.name, message);
+}
+
+/// What a stage that did not finish, or whose energy does not add up, means for its case. It is the last one that did
+/// not finish.
 void update_outcome(CaseRun& one, const StageRecord& stage) {
+  if (is_unbalanced(stage)) {
+    one.code = ExitCode::unbalanced;
+    add_message(one, stage, explain_imbalance(stage));
+  }
   if (stage.status == StageStatus::finished) return;
   one.code = stage.status == StageStatus::failed ? ExitCode::numerical : ExitCode::interrupted;
-  one.message = fmt::format("stage {}: {}", stage.name, stage.message);
+  add_message(one, stage, stage.message);
 }
 
 /// The stages that the case's file holds as finished, without their samples; FileError when it is not of this model and
@@ -63,7 +73,10 @@ void run_stages(CaseRun& one, int index, Existing existing, const std::stop_toke
   std::vector<StageRecord> finished;
   if (existing == Existing::resume) finished = read_finished_stages(one, header);
   std::vector<std::string> kept;
-  for (const StageRecord& stage : finished) kept.push_back(stage.name);
+  for (const StageRecord& stage : finished) {
+    kept.push_back(stage.name);
+    update_outcome(one, stage);
+  }
   RunWriter writer(one.file, header, existing != Existing::refuse, kept);
   one.is_written = true;
   RunHooks hooks;
@@ -79,6 +92,13 @@ void run_stages(CaseRun& one, int index, Existing existing, const std::stop_toke
     update_outcome(one, stage);
   };
   run_study(one.model.mechanism, one.model.study, hooks, std::move(finished));
+}
+
+/// How a case ended, in a word or two for the progress display.
+std::string_view name_outcome(ExitCode code) {
+  if (code == ExitCode::done) return "done";
+  if (code == ExitCode::unbalanced) return "done, but its energy does not add up,";
+  return code == ExitCode::interrupted ? "stopped" : "failed";
 }
 
 /// Every failure of a case ends here: an exception may not leave its thread.
@@ -97,8 +117,7 @@ void run_case(CaseRun& one, int index, Existing existing, const std::stop_token&
     one.code = ExitCode::numerical;
     one.message = error.what();
   }
-  const bool is_stopped = one.code == ExitCode::interrupted;
-  display.finish(index, one.code == ExitCode::done ? "done" : (is_stopped ? "stopped" : "failed"));
+  display.finish(index, name_outcome(one.code));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct CaseRun {
   std::filesystem::path file;
   ExitCode code = ExitCode::done;
   bool is_written = false;  ///< the file holds this run
-  std::string message;      ///< why it is not done; empty when it is
+  std::string message;      ///< why it is not done, or what is wrong with it; empty when it is all right
 };
 
 /// What happens to run files that are there already.

@@ -145,22 +145,24 @@ void print_warnings(const CaseRun& one) {
   write_stderr(render(warnings, one.model.source));
 }
 
-/// The signal first; then what the user can mend soonest: file, model, numbers.
+/// The signal first; then what the user can mend soonest: file, model, numbers; and what finished all the same.
 ExitCode find_exit_code(const std::vector<CaseRun>& cases, int signal) {
   const auto any = [&](ExitCode code) { return std::ranges::find(cases, code, &CaseRun::code) != cases.end(); };
   if (any(ExitCode::interrupted)) return signal == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
-  for (const ExitCode code : {ExitCode::file, ExitCode::model, ExitCode::numerical}) {
+  for (const ExitCode code : {ExitCode::file, ExitCode::model, ExitCode::numerical, ExitCode::unbalanced}) {
     if (any(code)) return code;
   }
   return ExitCode::done;
 }
 
-/// The report of the directory, when any case left something in it; the run's own failure goes before the report's.
+/// The report of the directory, when any case left something in it. The run's own failure goes before the report's, but
+/// a run that finished all the same does not.
 ExitCode add_report(const std::vector<CaseRun>& cases, ExitCode code) {
   if (std::ranges::none_of(cases, &CaseRun::is_written)) return code;
   const std::filesystem::path directory = cases.front().file.parent_path();
   const ExitCode report = write_report(directory, find_report_file(directory));
-  return code == ExitCode::done ? report : code;
+  const bool finished = code == ExitCode::done || (code == ExitCode::unbalanced && report != ExitCode::done);
+  return finished ? report : code;
 }
 
 ExitCode run_run(const RunOptions& options) {

@@ -13,6 +13,7 @@
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/safe_file.h"
+#include "gudgeon/results/energy_balance.h"
 #include "gudgeon/results/regions.h"
 
 namespace gudgeon {
@@ -164,6 +165,9 @@ std::string make_energy(const StageRecord& stage) {
   }
   csv.add("residual");
   csv.add(stage.ledger.residual());
+  csv.end_row();
+  csv.add("allowed_residual");
+  csv.add(find_allowed_residual(stage.ledger));
   csv.end_row();
   return csv.text();
 }

@@ -15,6 +15,7 @@
 #include "gudgeon/io/hdf5_node.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/run_tables.h"
+#include "gudgeon/results/energy_balance.h"
 
 namespace gudgeon {
 
@@ -91,7 +92,9 @@ void write_wear(const Hdf5Handle& node, const StageRecord& stage) {
 void write_energy(const Hdf5Handle& node, const EnergyLedger& ledger) {
   const Hdf5Handle group = make_group(node, "energy");
   write_reals(group, ledger, kEnergyReals);
-  write_quantity(group, "residual", ledger.residual(), "J");  // follows from the others, for other programs
+  // They follow from the others, for other programs.
+  write_quantity(group, "residual", ledger.residual(), "J");
+  write_quantity(group, "allowed_residual", find_allowed_residual(ledger), "J");
 }
 
 void write_solver(const Hdf5Handle& node, const SolverStatistics& solver) {

@@ -89,6 +89,7 @@ std::string render_contents(const RunRecord& run, bool color) {
                {"statistics", Alignment::right},
                {"contacts", Alignment::right},
                {"energy residual", Alignment::right},
+               {"adds up"},
                {"worn joints (regions)"}});
   for (const StageRecord& stage : run.stages) {
     std::string joints;
@@ -100,7 +101,8 @@ std::string render_contents(const RunRecord& run, bool color) {
     table.add_row({stage.name, format_engineering(stage.start_time, "s"), format_engineering(stage.end_time, "s"),
                    samples, format_count(static_cast<std::int64_t>(stage.statistics.size())),
                    format_count(static_cast<std::int64_t>(stage.events.size())),
-                   fmt::format("{:.1e}", check_energy(stage.ledger).relative), joints});
+                   fmt::format("{:.1e}", check_energy(stage.ledger).relative), is_closed(stage.ledger) ? "yes" : "NO",
+                   joints});
   }
   return table.empty() ? "" : render_title("Contents", color) + table.render(color);
 }

@@ -80,7 +80,9 @@ std::string render_stages(const RunRecord& run, bool color) {
                    format_engineering(stage.end_time, "s"), format_engineering(solver.wall_time, "s"),
                    format_count(solver.evaluations), format_count(solver.accepted_steps),
                    format_count(solver.rejected_steps), format_count(solver.onsets)});
-    if (!stage.message.empty()) messages += fmt::format("  {}: {}\n", stage.name, stage.message);
+    for (const std::string& message : {stage.message, explain_imbalance(stage)}) {
+      if (!message.empty()) messages += fmt::format("  {}: {}\n", stage.name, message);
+    }
   }
   return render_title("Stages", color) + table.render(color) + messages;
 }
@@ -117,8 +119,9 @@ std::string render_energy(const RunRecord& run, bool color) {
             [k](const EnergyAudit& audit) { return format_engineering(audit.lines[k].value, "J"); });
   }
   add_row("sum (residual)", [](const EnergyAudit& audit) { return format_engineering(audit.residual, "J"); });
-  add_row("energy exchanged", [](const EnergyAudit& audit) { return format_engineering(audit.scale, "J"); });
-  add_row("residual / exchanged", [](const EnergyAudit& audit) { return fmt::format("{:.1e}", audit.relative); });
+  add_row("energy exchanged", [](const EnergyAudit& audit) { return format_engineering(audit.exchanged, "J"); });
+  add_row("scale: exchanged and held", [](const EnergyAudit& audit) { return format_engineering(audit.scale, "J"); });
+  add_row("residual / scale", [](const EnergyAudit& audit) { return fmt::format("{:.1e}", audit.relative); });
   add_row("adds up", [](const EnergyAudit& audit) { return std::string(audit.closed ? "yes" : "NO"); });
   return render_title(
              fmt::format("Energy ledger (now − start − given + lost; adds up within {:.0e})", kEnergyTolerance),

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gudgeon/analysis/energy_audit.h"
 #include "gudgeon/analysis/wear_summary.h"
 #include "gudgeon/report/figures/case_figures.h"
 #include "gudgeon/report/number_format.h"
@@ -60,7 +61,9 @@ void CaseList::add(const ReportCase& one, const std::string& extent) {
     return;
   }
   const StageRecord& last = run.stages.back();
-  table_.add_row({run.case_name, shorten(one.case_description), name_status(last.status), extent,
+  const bool is_balanced = std::ranges::none_of(run.stages, is_unbalanced);
+  table_.add_row({run.case_name, shorten(one.case_description),
+                  fmt::format("{}{}", name_status(last.status), is_balanced ? "" : ", energy does not add up"), extent,
                   format_engineering(find_largest_peak(last, ".normal_force"), "N"),
                   format_engineering(find_deepest_wear(run), "m")});
 }

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "gudgeon/analysis/energy_audit.h"
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/report/figures/figure.h"
 #include "gudgeon/report/html/case_sections.h"
@@ -91,6 +92,10 @@ std::string render_warnings(const ReportCase& one) {
   std::string html;
   if (!one.trouble.empty()) html += make_paragraph(one.trouble, "warning");
   for (const StageRecord& stage : one.run.stages) {
+    if (is_unbalanced(stage)) {
+      html +=
+          make_paragraph(fmt::format("Stage “{}”: {}", label_stage(stage.name), explain_imbalance(stage)), "warning");
+    }
     if (stage.status == StageStatus::finished) continue;
     html += make_paragraph(
         fmt::format("Stage “{}” {} at {} after {} counted cycles: what it recorded is shown.", label_stage(stage.name),

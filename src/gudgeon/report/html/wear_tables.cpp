@@ -89,11 +89,13 @@ std::string render_energy_table(const RunRecord& run) {
   add_stage_row(table, run, "sum (residual)",
                 [](const StageRecord& s) { return format_engineering(check_energy(s.ledger).residual, "J"); });
   add_stage_row(table, run, "energy exchanged",
-                [](const StageRecord& s) { return format_engineering(check_energy(s.ledger).scale, "J"); });
-  add_stage_row(table, run, "residual / exchanged",
+                [](const StageRecord& s) { return format_engineering(s.ledger.exchanged, "J"); });
+  add_stage_row(table, run, "scale: exchanged and held",
+                [](const StageRecord& s) { return format_engineering(find_energy_scale(s.ledger), "J"); });
+  add_stage_row(table, run, "residual / scale",
                 [](const StageRecord& s) { return fmt::format("{:.1e}", check_energy(s.ledger).relative); });
   add_stage_row(table, run, fmt::format("adds up within {:.0e}", kEnergyTolerance),
-                [](const StageRecord& s) { return std::string(check_energy(s.ledger).closed ? "yes" : "NO"); });
+                [](const StageRecord& s) { return std::string(is_closed(s.ledger) ? "yes" : "NO"); });
   return table.render();
 }
 

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What may be missing from a stage's energy (docs/theory/energy.md, Eq. E4).
+#pragma once
+
+#include <cmath>
+
+#include "gudgeon/results/run_record.h"
+
+namespace gudgeon {
+
+/// The books are closed when the residual is below this part of find_energy_scale(): some ten times what local errors
+/// at the default tolerance add up to, and far below any term one would look at.
+inline constexpr double kEnergyTolerance = 1e-6;
+
+/// What the residual is measured by [J]: the energy exchanged, and what energies that were there throughout can be
+/// known to. Speeds are known to 1e-7 where steps are held by the ledger, and a kinetic energy to twice that; sums of
+/// some thousand terms are rounded to 1e-12.
+inline double find_energy_scale(const EnergyLedger& ledger) {
+  constexpr double kSpeedsKnown = 1e-7;
+  constexpr double kSumsKnown = 1e-12;
+  const double held =
+      std::abs(ledger.initial_energy) + ledger.kinetic + std::abs(ledger.potential) + std::abs(ledger.elastic);
+  return ledger.exchanged + (2.0 * kSpeedsKnown * ledger.kinetic + kSumsKnown * held) / kEnergyTolerance;
+}
+
+/// The largest residual [J] with which the energy adds up.
+inline double find_allowed_residual(const EnergyLedger& ledger) { return kEnergyTolerance * find_energy_scale(ledger); }
+
+/// Not where any term is no number.
+inline bool is_closed(const EnergyLedger& ledger) {
+  return std::abs(ledger.residual()) <= find_allowed_residual(ledger);
+}
+
+}  // namespace gudgeon
