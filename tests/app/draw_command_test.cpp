@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/program.h"
+#include "tests/report/drawn_labels.h"
 
 namespace gudgeon::test {
 namespace {
@@ -77,6 +78,30 @@ TEST(DrawCommand, MissingDirectoryIsAFileError) {
   const Outcome outcome = run_program(folder, {"draw", find_slider_crank(), "-o", "nowhere/x.svg"});
   EXPECT_EQ(outcome.exit_code, 5);
   EXPECT_THAT(outcome.err, HasSubstr("nowhere/x.svg"));
+}
+
+// A scissor lift that is small on its sheet, because the path of its top point is long.
+TEST(DrawCommand, NoNameOfAScissorLiftCoversAnother) {
+  const TemporaryFolder folder;
+  for (const std::vector<std::string>& trace : {std::vector<std::string>{}, {"--trace", "link_left_4.B"}}) {
+    std::vector<std::string> arguments{"draw", find_case("draw_scissors"), "-o", "-"};
+    arguments.insert(arguments.end(), trace.begin(), trace.end());
+    const Outcome outcome = run_program(folder, arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::vector<Label> labels = find_labels(outcome.out);
+    EXPECT_EQ(labels.size(), 4U + 10U + 15U) << "title, time, scale, legend; bodies; joints";
+    EXPECT_EQ(find_covered_labels(labels), "");
+  }
+}
+
+// Two pins of the frame, in one slot of a plate, are marked as fixed, as is the crank's pivot.
+TEST(DrawCommand, PinsOfTheFrameCarryItsMark) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_program(folder, {"draw", find_case("draw_fixed_pins"), "-o", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::size_t frame = outcome.out.find("class=\"frame\"");
+  const std::string supports = outcome.out.substr(frame, outcome.out.find("</g>", frame) - frame);
+  EXPECT_EQ(find_tags(supports, "polygon").size(), 3U);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "gudgeon/report/label_placement.h"
 #include "gudgeon/report/mechanism_symbols.h"
 #include "gudgeon/report/svg_canvas.h"
+#include "tests/report/drawn_labels.h"
 #include "tests/report/sample_drawings.h"
 
 namespace gudgeon::test {
@@ -23,46 +24,9 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct Label {
-  std::string text;
-  Box box;
-};
-
-/// The value of an attribute in a tag; empty when the tag has none of that name.
-std::string find_attribute(const std::string& tag, const std::string& name) {
-  const std::size_t start = tag.find(" " + name + "=\"");
-  if (start == std::string::npos) return {};
-  const std::size_t value = start + name.size() + 3;
-  return tag.substr(value, tag.find('"', value) - value);
-}
-
-/// Every tag of that name in a picture, and the text behind it.
-std::vector<std::pair<std::string, std::string>> find_tags(const std::string& svg, const std::string& name) {
-  std::vector<std::pair<std::string, std::string>> tags;
-  for (std::size_t at = svg.find("<" + name + " "); at != std::string::npos; at = svg.find("<" + name + " ", at + 1)) {
-    const std::size_t end = svg.find('>', at);
-    tags.emplace_back(svg.substr(at, end - at), svg.substr(end + 1, svg.find('<', end) - end - 1));
-  }
-  return tags;
-}
-
-/// Every text of a picture with the box it takes.
-std::vector<Label> find_labels(const std::string& svg) {
-  std::vector<Label> labels;
-  for (const auto& [tag, text] : find_tags(svg, "text")) {
-    const double size = std::stod(find_attribute(tag, "font-size"));
-    const double half_width = 0.5 * find_text_width(text, size, find_attribute(tag, "font-weight") == "bold");
-    const std::string anchor = find_attribute(tag, "text-anchor");
-    const double shift = anchor == "middle" ? 0.0 : (anchor == "start" ? half_width : -half_width);
-    const Vec2 baseline{std::stod(find_attribute(tag, "x")), std::stod(find_attribute(tag, "y"))};
-    labels.push_back({text, {baseline + Vec2{shift, -0.35 * size}, {half_width, 0.5 * size}}});
-  }
-  return labels;
-}
-
 std::vector<MechanismDrawing> make_all_samples() {
-  return {make_nine_bar_drawing(), make_slider_crank_drawing(), make_four_bar_drawing(), make_quick_return_drawing(),
-          make_yoke_drawing()};
+  return {make_nine_bar_drawing(), make_slider_crank_drawing(), make_four_bar_drawing(),  make_quick_return_drawing(),
+          make_yoke_drawing(),     make_scissors_drawing(5),    make_scissors_drawing(12)};
 }
 
 TEST(MechanismDrawing, NamesEveryMovingBodyAndJoint) {
@@ -80,14 +44,66 @@ TEST(MechanismDrawing, LabelsOverlapNeitherEachOtherNorTheEdge) {
   for (const MechanismDrawing& drawing : make_all_samples()) {
     const std::vector<Label> labels = find_labels(render_svg(drawing));
     ASSERT_GT(labels.size(), 5U);
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-      EXPECT_GT(labels[i].box.center.x - labels[i].box.half_size.x, 0.0) << labels[i].text;
-      EXPECT_LT(labels[i].box.center.x + labels[i].box.half_size.x, 800.0) << labels[i].text;
-      for (std::size_t k = 0; k < i; ++k) {
-        EXPECT_EQ(find_overlap(labels[i].box, labels[k].box), 0.0) << labels[i].text << " on " << labels[k].text;
-      }
+    for (const Label& label : labels) {
+      EXPECT_GT(label.box.center.x - label.box.half_size.x, 0.0) << label.text;
+      EXPECT_LT(label.box.center.x + label.box.half_size.x, 800.0) << label.text;
     }
+    EXPECT_EQ(find_covered_labels(labels), "");
   }
+}
+
+/// A bar with a pin on the frame in its slot, and one with a pin in a slot of the frame.
+MechanismDrawing make_fixed_drawing(double direction) {
+  const Vec2 along{0.1 * std::cos(direction), 0.1 * std::sin(direction)};
+  MechanismDrawing drawing;
+  drawing.bodies = {{"frame", true, {{0, 0}, {0.5, 0}}, {}},
+                    {"slotted", false, {{0, 0}, along, {0.1, 0.3}}, {}},
+                    {"pinned", false, {{0.5, 0}, {0.3, 0.3}}, {}}};
+  drawing.joints = {{"pin", DrawnJointKind::pin_in_slot, 1, 0, along, {0, 0}, direction},
+                    {"slot", DrawnJointKind::pin_in_slot, 0, 2, {0.5, 0}, {0.5, 0}, direction}};
+  return drawing;
+}
+
+std::string find_group(const std::string& svg, const std::string& name) {
+  const std::size_t begin = svg.find("class=\"" + name + "\"");
+  return svg.substr(begin, svg.find("</g>", begin) - begin);
+}
+
+TEST(MechanismDrawing, PinsAndSlotsOfTheFrameAreMarkedAsFixed) {
+  for (const double direction : {0.0, 0.6, 1.5707963267948966}) {
+    const std::string svg = render_svg(make_fixed_drawing(direction));
+    // The pin's support: a triangle and its hatching.
+    EXPECT_EQ(find_tags(find_group(svg, "frame"), "polygon").size(), 1U);
+    EXPECT_GT(find_tags(find_group(svg, "frame"), "line").size(), 4U);
+    // The slot's hatching beside it; the other slot moves and has none.
+    EXPECT_GT(find_tags(find_group(svg, "slots"), "line").size(), 4U);
+    EXPECT_EQ(find_tags(find_group(svg, "slots"), "polygon").size(), 4U);
+  }
+  MechanismDrawing moving = make_fixed_drawing(0.0);
+  for (DrawnJoint& joint : moving.joints) joint.first_body = 1, joint.second_body = 2;
+  const std::string svg = render_svg(moving);
+  EXPECT_TRUE(find_tags(find_group(svg, "frame"), "polygon").empty());
+  EXPECT_TRUE(find_tags(find_group(svg, "slots"), "line").empty());
+}
+
+// Two slots of one line are one slot: no end of one shows within the other.
+TEST(MechanismDrawing, InsidesOfSlotsLieAboveAllOutlines) {
+  const std::string slots = find_group(render_svg(make_fixed_drawing(0.0)), "slots");
+  const auto shapes = find_tags(slots, "polygon");
+  ASSERT_EQ(shapes.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(find_attribute(shapes[k].first, "stroke") == ink::kPaper, k >= 2) << k;
+  }
+}
+
+TEST(MechanismDrawing, ALineLeadsToWhatANameFoundNoPlaceAt) {
+  const std::string names = find_group(render_svg(make_scissors_drawing(12)), "names");
+  const auto leaders = find_tags(names, "line");
+  EXPECT_FALSE(leaders.empty());
+  EXPECT_EQ(leaders.size(), find_tags(names, "circle").size());
+  // Lines lie below all texts.
+  EXPECT_LT(names.rfind("<line "), names.find("<text "));
+  EXPECT_TRUE(find_tags(find_group(render_svg(make_four_bar_drawing()), "names"), "line").empty());
 }
 
 TEST(MechanismDrawing, ScaleIsTheSameAlongBothAxes) {
@@ -117,7 +133,7 @@ TEST(MechanismDrawing, SlotsAreAsLongAsTheyAre) {
   const std::string slots =
       svg.substr(svg.find("class=\"slots\""), svg.find("class=\"joints\"") - svg.find("class=\"slots\""));
   const auto outlines = find_tags(slots, "polygon");
-  ASSERT_EQ(outlines.size(), 2U);
+  ASSERT_EQ(outlines.size(), 2U);  // and what is inside
   std::istringstream text(find_attribute(outlines[0].first, "points"));
   Vec2 low, high;
   char comma = 0;
@@ -167,10 +183,30 @@ TEST(ConvexHull, KeepsCornersOnly) {
 TEST(LabelPlacer, AvoidsWhatIsTaken) {
   LabelPlacer placer({{50, 50}, {50, 50}});
   placer.add_obstacle({{20, 50}, {15, 15}});
-  const Vec2 place = placer.place({{20, 50}, {70, 50}}, {10, 5});
+  const Vec2 place = placer.place({{20, 50}, {70, 50}}, {10, 5})->center;
   EXPECT_EQ(place, (Vec2{70, 50}));
   // The label itself is taken now.
-  EXPECT_EQ(placer.place({{70, 50}, {70, 20}}, {10, 5}), (Vec2{70, 20}));
+  EXPECT_EQ(placer.place({{70, 50}, {70, 20}}, {10, 5})->center, (Vec2{70, 20}));
+}
+
+// A label is worth more than any line.
+TEST(LabelPlacer, CoversLinesRatherThanLabels) {
+  LabelPlacer placer({{50, 50}, {50, 50}});
+  placer.add_obstacle({{70, 20}, {20, 20}});
+  placer.add_label({{20, 50}, {15, 15}});
+  EXPECT_EQ(placer.place({{20, 50}, {70, 20}}, {10, 5})->center, (Vec2{70, 20}));
+}
+
+TEST(LabelPlacer, GoesFarWhereAllIsTakenAndGivesUpOnAFullSheet) {
+  LabelPlacer placer({{50, 50}, {50, 50}});
+  placer.add_label({{50, 40}, {50, 40}});
+  const auto far = placer.place({{50, 50}}, {10, 5});
+  ASSERT_TRUE(far);
+  EXPECT_TRUE(far->is_far);
+  EXPECT_GT(far->center.y, 86.9);
+  EXPECT_LT(far->center.y, 93.1);
+  placer.add_label({{50, 50}, {50, 50}});
+  EXPECT_FALSE(placer.place({{50, 50}}, {10, 5}));
 }
 
 }  // namespace

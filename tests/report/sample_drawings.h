@@ -4,6 +4,8 @@
 // Linkages made by hand for the tests of the picture.
 #pragma once
 
+#include <string>
+
 #include "gudgeon/report/mechanism_drawing.h"
 
 namespace gudgeon::test {
@@ -117,6 +119,34 @@ inline MechanismDrawing make_yoke_drawing() {
           .drivers = {{1, false, kO, 0.0, 10.0}},
           .traces = {},
           .gravity = {}};
+}
+
+/// A flat scissor lift of n pairs of links under a tall path of its top: much to name on little of the sheet.
+inline MechanismDrawing make_scissors_drawing(int n) {
+  constexpr double kWide = 0.135;
+  constexpr double kHigh = 0.036;
+  MechanismDrawing drawing;
+  drawing.title = "Scissors";
+  drawing.subtitle = "t = 0 s";
+  drawing.bodies.push_back({"frame", true, {{0.0, 0.0}, {kWide, 0.0}}, {}});
+  for (int i = 0; i < n; ++i) {
+    const Vec2 low{0.0, kHigh * i}, high{kWide, kHigh * (i + 1)};
+    const std::string number = std::to_string(i);
+    drawing.bodies.push_back({"link_right_" + number, false, {low, high}, {}});
+    drawing.bodies.push_back({"link_left_" + number, false, {{high.x, low.y}, {low.x, high.y}}, {}});
+    const int right = 2 * i + 1;
+    const int left = right + 1;
+    drawing.joints.push_back(
+        {"m" + number, DrawnJointKind::revolute, right, left, 0.5 * (low + high), 0.5 * (low + high)});
+    if (i == 0) continue;
+    drawing.joints.push_back({"a" + number, DrawnJointKind::revolute, left - 2, right, low, low});
+    const Vec2 beside{high.x, low.y};
+    drawing.joints.push_back({"b" + number, DrawnJointKind::revolute, right - 2, left, beside, beside});
+  }
+  drawing.joints.push_back({"O", DrawnJointKind::revolute, 0, 1, {0.0, 0.0}, {0.0, 0.0}});
+  drawing.joints.push_back({"slot", DrawnJointKind::pin_in_slot, 0, 2, {kWide, 0.0}, {kWide, 0.0}, 0.0});
+  drawing.traces.push_back({"top", {{0.0, kHigh * n}, {0.0, 4.0 * kHigh * n}}});
+  return drawing;
 }
 
 }  // namespace gudgeon::test

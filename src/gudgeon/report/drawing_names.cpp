@@ -21,13 +21,52 @@ Vec2 find_half_size(std::string_view text, const TextStyle& style) {
   return {0.5 * find_text_width(text, style.size, style.bold), 0.5 * style.size};
 }
 
-void write_name(SvgCanvas& canvas, LabelPlacer& placer, std::string_view text, const std::vector<Vec2>& candidates,
-                TextStyle style) {
-  style.anchor = TextAnchor::middle;
-  const Vec2 center = placer.place(candidates, find_half_size(text, style));
-  // Capitals and digits reach about 0.7 em above the baseline.
-  canvas.add_text(center + Vec2{0.0, 0.35 * style.size}, text, style);
-}
+/// Finds places for names and writes them when all have one: lines to what they name lie below all texts.
+class NameWriter {
+ public:
+  NameWriter(SvgCanvas& canvas, LabelPlacer& placer) : canvas_(canvas), placer_(placer) {}
+
+  /// The target is what a line leads to from a name that found no place near it. A name without any place is left out.
+  void add(std::string_view text, const std::vector<Vec2>& candidates, Vec2 target, TextStyle style) {
+    style.anchor = TextAnchor::middle;
+    const Vec2 half_size = find_half_size(text, style);
+    if (const auto place = placer_.place(candidates, half_size))
+      names_.push_back({text, style, *place, half_size, target});
+  }
+
+  void write() {
+    for (const Name& name : names_) {
+      if (name.place.is_far) draw_leader(name);
+    }
+    // Capitals and digits reach about 0.7 em above the baseline.
+    for (const Name& name : names_) {
+      canvas_.add_text(name.place.center + Vec2{0.0, 0.35 * name.style.size}, name.text, name.style);
+    }
+  }
+
+  [[nodiscard]] LabelPlacer& placer() { return placer_; }
+
+ private:
+  struct Name {
+    std::string_view text;
+    TextStyle style;
+    LabelPlace place;
+    Vec2 half_size;
+    Vec2 target;
+  };
+
+  void draw_leader(const Name& name) {
+    const Vec2 low = name.place.center - name.half_size;
+    const Vec2 high = name.place.center + name.half_size;
+    const Vec2 edge{std::clamp(name.target.x, low.x, high.x), std::clamp(name.target.y, low.y, high.y)};
+    canvas_.add_line(edge, name.target, {.stroke = name.style.color, .width = 0.9});
+    canvas_.add_circle(name.target, 2.0, {.fill = name.style.color});
+  }
+
+  SvgCanvas& canvas_;
+  LabelPlacer& placer_;
+  std::vector<Name> names_;
+};
 
 /// A length in the unit a designer would read it in.
 std::string format_length(double meters) {
@@ -41,7 +80,7 @@ void draw_title(SvgCanvas& canvas, LabelPlacer& placer, const MechanismDrawing& 
   canvas.add_text({kMargin, 59.0}, drawing.subtitle, {.color = ink::kGround, .size = kSmallTextSize});
   const double width =
       std::max(find_text_width(drawing.title, 19.0, true), find_text_width(drawing.subtitle, kSmallTextSize));
-  placer.add_obstacle({{kMargin + 0.5 * width, 42.0}, {0.5 * width, 24.0}});
+  placer.add_label({{kMargin + 0.5 * width, 42.0}, {0.5 * width, 24.0}});
 }
 
 void draw_scale_bar(SvgCanvas& canvas, LabelPlacer& placer, const DrawingView& view) {
@@ -55,7 +94,7 @@ void draw_scale_bar(SvgCanvas& canvas, LabelPlacer& placer, const DrawingView& v
   for (const Vec2 tip : {start, end}) canvas.add_line(tip - Vec2{0.0, kTick}, tip + Vec2{0.0, kTick}, paint);
   canvas.add_text(0.5 * (start + end) + Vec2{0.0, -8.0}, format_length(meters),
                   {.color = ink::kLine, .size = kSmallTextSize, .anchor = TextAnchor::middle});
-  placer.add_obstacle({0.5 * (start + end) + Vec2{0.0, -8.0}, {0.5 * (end.x - start.x), 14.0}});
+  placer.add_label({0.5 * (start + end) + Vec2{0.0, -8.0}, {0.5 * (end.x - start.x), 14.0}});
 }
 
 void draw_gravity(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& plan) {
@@ -69,7 +108,7 @@ void draw_gravity(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& pla
   const Vec2 side = perp(way).x > 1e-9 || (std::abs(perp(way).x) <= 1e-9 && perp(way).y > 0.0) ? -perp(way) : perp(way);
   canvas.add_text(center + 13.0 * side + Vec2{0.0, 5.0}, "g",
                   {.color = ink::kGround, .size = 16.0, .bold = true, .italic = true, .anchor = TextAnchor::middle});
-  placer.add_obstacle({center, {kHalfLength + 6.0, kHalfLength + 6.0}});
+  placer.add_label({center, {kHalfLength + 6.0, kHalfLength + 6.0}});
 }
 
 void draw_legend(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& plan) {
@@ -81,8 +120,8 @@ void draw_legend(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& plan
     canvas.add_text({right, baseline}, text,
                     {.color = ink::kGround, .size = kSmallTextSize, .anchor = TextAnchor::end});
     draw_symbol(Vec2{left - 6.0 - 0.5 * symbol_width, baseline - 5.0});
-    placer.add_obstacle({{0.5 * (left + right) - 0.5 * symbol_width, baseline - 5.0},
-                         {0.5 * (right - left + symbol_width) + 6.0, 12.0}});
+    placer.add_label({{0.5 * (left + right) - 0.5 * symbol_width, baseline - 5.0},
+                      {0.5 * (right - left + symbol_width) + 6.0, 12.0}});
     right = left - symbol_width - 26.0;
   };
   const auto is_clearance = [](const DrawnJoint& joint) { return shows_clearance(joint.kind); };
@@ -96,10 +135,15 @@ void draw_legend(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& plan
   }
 }
 
-/// Names go inside a plate when they fit, else beside one of its edges.
-std::vector<Vec2> make_plate_candidates(const std::vector<Vec2>& shape, Vec2 half_size) {
+Vec2 find_middle(const std::vector<Vec2>& shape) {
   Vec2 middle;
   for (const Vec2 corner : shape) middle += (1.0 / static_cast<double>(shape.size())) * corner;
+  return middle;
+}
+
+/// Names go inside a plate when they fit, else beside one of its edges.
+std::vector<Vec2> make_plate_candidates(const std::vector<Vec2>& shape, Vec2 half_size) {
+  const Vec2 middle = find_middle(shape);
   std::vector<Vec2> candidates = {middle, middle + Vec2{0.0, -16.0}, middle + Vec2{0.0, 16.0}};
   for (std::size_t i = 0; i < shape.size(); ++i) {
     const std::vector<Vec2> beside =
@@ -119,7 +163,7 @@ void block_interior(LabelPlacer& placer, const std::vector<Vec2>& shape) {
   }
 }
 
-void draw_body_name(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& plan, int body) {
+void add_body_name(NameWriter& names, const DrawingPlan& plan, int body) {
   const std::vector<Vec2>& shape = plan.shapes[body];
   const std::string& name = plan.drawing.bodies[body].name;
   const bool is_plate = shape.size() > 2;
@@ -132,31 +176,31 @@ void draw_body_name(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& p
       if (!is_slide(joint.kind) || find_block_body(plan, joint) != body) continue;
       const Vec2 along = kBlockHalfSize.x * make_sheet_direction(joint.direction);
       const Vec2 center = find_block_center(plan, joint);
-      return write_name(canvas, placer, name,
-                        make_candidates_beside(center - along, center + along, 2.0 * kBlockHalfSize.y, half_size),
-                        style);
+      return names.add(name, make_candidates_beside(center - along, center + along, 2.0 * kBlockHalfSize.y, half_size),
+                       center, style);
     }
   }
   if (is_plate) {
-    write_name(canvas, placer, name, make_plate_candidates(shape, half_size), style);
-    return block_interior(placer, shape);
+    names.add(name, make_plate_candidates(shape, half_size), find_middle(shape), style);
+    return block_interior(names.placer(), shape);
   }
+  // Of a bar, the line ends where joints and other bars are least likely to be.
   if (shape.size() == 2) {
-    return write_name(canvas, placer, name, make_candidates_beside(shape[0], shape[1], kBarWidth + 3.0, half_size),
-                      style);
+    return names.add(name, make_candidates_beside(shape[0], shape[1], kBarWidth + 3.0, half_size),
+                     shape[0] + 0.42 * (shape[1] - shape[0]), style);
   }
-  if (!shape.empty()) write_name(canvas, placer, name, make_candidates_around(shape[0], 12.0, half_size), style);
+  if (!shape.empty()) names.add(name, make_candidates_around(shape[0], 12.0, half_size), shape[0], style);
 }
 
-void draw_joint_name(SvgCanvas& canvas, LabelPlacer& placer, const JointSpot& spot) {
+void add_joint_name(NameWriter& names, const JointSpot& spot) {
   const bool has_clearance = shows_clearance(spot.kind);
   const TextStyle style{.color = has_clearance ? ink::kClearance : ink::kLine, .size = kJointTextSize, .bold = true};
   const double radius = has_clearance ? kClearanceRadius : kJointRadius + 2.0;
-  write_name(canvas, placer, spot.names, make_candidates_around(spot.center, radius, find_half_size(spot.names, style)),
-             style);
+  names.add(spot.names, make_candidates_around(spot.center, radius, find_half_size(spot.names, style)), spot.center,
+            style);
 }
 
-void draw_guide_name(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& plan, const DrawnJoint& joint) {
+void add_guide_name(NameWriter& names, const DrawingPlan& plan, const DrawnJoint& joint) {
   const TextStyle style{
       .color = shows_clearance(joint.kind) ? ink::kClearance : ink::kGround, .size = kBodyTextSize, .italic = true};
   const Vec2 center = find_block_center(plan, joint);
@@ -164,7 +208,7 @@ void draw_guide_name(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& 
   std::vector<Vec2> candidates = make_candidates_around(center + reach, 8.0, find_half_size(joint.name, style));
   std::ranges::copy(make_candidates_around(center - reach, 8.0, find_half_size(joint.name, style)),
                     std::back_inserter(candidates));
-  write_name(canvas, placer, joint.name, candidates, style);
+  names.add(joint.name, candidates, center + reach, style);
 }
 
 }  // namespace
@@ -180,18 +224,20 @@ void draw_margins(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& pla
 
 void draw_names(SvgCanvas& canvas, LabelPlacer& placer, const DrawingPlan& plan) {
   canvas.begin_group("names");
+  NameWriter names(canvas, placer);
   // Plates first, for their inside; joints next, which have the least choice; then bars.
-  const auto draw_bodies = [&](bool plates) {
+  const auto add_bodies = [&](bool plates) {
     for (int i = 0; i < std::ssize(plan.shapes); ++i) {
-      if (!plan.is_frame(i) && (plan.shapes[i].size() > 2) == plates) draw_body_name(canvas, placer, plan, i);
+      if (!plan.is_frame(i) && (plan.shapes[i].size() > 2) == plates) add_body_name(names, plan, i);
     }
   };
-  draw_bodies(true);
-  for (const JointSpot& spot : plan.spots) draw_joint_name(canvas, placer, spot);
-  draw_bodies(false);
+  add_bodies(true);
+  for (const JointSpot& spot : plan.spots) add_joint_name(names, spot);
+  add_bodies(false);
   for (const DrawnJoint& joint : plan.drawing.joints) {
-    if (is_slide(joint.kind)) draw_guide_name(canvas, placer, plan, joint);
+    if (is_slide(joint.kind)) add_guide_name(names, plan, joint);
   }
+  names.write();
   canvas.end_group();
 }
 

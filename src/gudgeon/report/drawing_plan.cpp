@@ -39,10 +39,10 @@ bool find_is_block(const MechanismDrawing& drawing, int body) {
 
 void add_spot(DrawingPlan& plan, const DrawnJoint& joint) {
   constexpr double kSameSpot = 2.0;  // [px]: circles nearer than this cannot be told apart
-  // A pin stands where it is in its slot, and is held by nothing else.
+  // A pin stands where it is in its slot, on its own body: the slot's does not hold it there.
   const Vec2 center = plan.view.place(is_slotted(joint.kind) ? joint.second : joint.first);
   const bool on_frame =
-      !is_slotted(joint.kind) && (plan.is_frame(joint.first_body) || plan.is_frame(joint.second_body));
+      plan.is_frame(joint.second_body) || (!is_slotted(joint.kind) && plan.is_frame(joint.first_body));
   const auto same =
       std::ranges::find_if(plan.spots, [&](const JointSpot& spot) { return norm(spot.center - center) < kSameSpot; });
   if (same == plan.spots.end()) {

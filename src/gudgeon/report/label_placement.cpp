@@ -6,9 +6,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace gudgeon {
+
+namespace {
+
+constexpr double kMargin = 2.0;  // [px] that labels keep from what is around them
+
+}  // namespace
 
 double find_overlap(const Box& a, const Box& b) {
   const double width = std::min(a.center.x + a.half_size.x, b.center.x + b.half_size.x) -
@@ -28,21 +36,60 @@ void LabelPlacer::add_obstacle_line(Vec2 from, Vec2 to, double width) {
   }
 }
 
-Vec2 LabelPlacer::place(const std::vector<Vec2>& candidates, Vec2 half_size) {
-  Vec2 best = candidates.front();
-  double least_cost = std::numeric_limits<double>::infinity();
+// Within the sheet and clear of every other label.
+bool LabelPlacer::is_free(const Box& label) const {
+  const double area = 4.0 * label.half_size.x * label.half_size.y;
+  return find_overlap(label, sheet_) > area - 1e-6 * area &&
+         std::ranges::none_of(labels_, [&](const Box& other) { return find_overlap(label, other) > 0.0; });
+}
+
+double LabelPlacer::find_covered(const Box& label) const {
+  double covered = 0.0;
+  for (const Box& obstacle : obstacles_) covered += find_overlap(label, obstacle);
+  return covered;
+}
+
+std::optional<LabelPlacer::Choice> LabelPlacer::find_candidate(const std::vector<Vec2>& candidates,
+                                                               Vec2 half_size) const {
+  std::optional<Choice> best;
   double preference = 0.0;
   for (const Vec2 candidate : candidates) {
-    const Box label = Box{candidate, half_size}.grown(2.0);
-    // What hangs over the sheet's edge is lost to the reader: it costs most.
-    const double outside = 4.0 * label.half_size.x * label.half_size.y - find_overlap(label, sheet_);
-    double cost = 20.0 * outside + preference;
-    for (const Box& obstacle : obstacles_) cost += find_overlap(label, obstacle);
-    if (cost < least_cost) least_cost = cost, best = candidate;
+    const Box label = Box{candidate, half_size}.grown(kMargin);
+    const double cost = find_covered(label) + preference;
+    if ((!best || cost < best->cost) && is_free(label)) best = {candidate, cost};
     preference += 1.0;
   }
-  obstacles_.push_back({best, half_size});
   return best;
+}
+
+// Ring by ring: what a place covers counts, and how far it is, most of all up or down, where lines would cross texts.
+std::optional<LabelPlacer::Choice> LabelPlacer::find_far_place(Vec2 around, Vec2 half_size) const {
+  constexpr int kDirections = 40;
+  constexpr double kStep = 7.0;  // [px] from ring to ring
+  const double farthest = 2.0 * norm(sheet_.half_size);
+  std::optional<Choice> best;
+  for (double radius = 2.0 * kStep; radius < farthest && (!best || radius < best->cost); radius += kStep) {
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kDirections;
+      const Vec2 way = radius * Vec2{std::cos(angle), std::sin(angle)};
+      const Box label = Box{around + way, half_size}.grown(kMargin);
+      const double cost = find_covered(label) + std::abs(way.x) + 2.0 * std::abs(way.y);
+      if ((!best || cost < best->cost) && is_free(label)) best = {around + way, cost};
+    }
+  }
+  return best;
+}
+
+std::optional<LabelPlace> LabelPlacer::place(const std::vector<Vec2>& candidates, Vec2 half_size) {
+  constexpr double kCostOfLine = 120.0;  // [px^2] a line to the name is worth covering a third of a short one
+  const std::optional<Choice> near = find_candidate(candidates, half_size);
+  std::optional<Choice> far;
+  if (!near || near->cost > kCostOfLine) far = find_far_place(candidates.front(), half_size);
+  const bool is_far = far && (!near || far->cost + kCostOfLine < near->cost);
+  if (!near && !far) return std::nullopt;
+  const Vec2 center = is_far ? far->center : near->center;
+  add_label({center, half_size});
+  return LabelPlace{center, is_far};
 }
 
 std::vector<Vec2> make_candidates_around(Vec2 spot, double radius, Vec2 half_size) {

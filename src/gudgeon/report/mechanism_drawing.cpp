@@ -30,6 +30,9 @@ void draw_traces(Sketch sketch) {
     std::vector<Vec2> points;
     for (const Vec2 point : trace.points) points.push_back(sketch.plan.view.place(point));
     sketch.canvas.add_polyline(points, {.stroke = ink::kTrace, .width = 1.4, .dashes = "5 4"});
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      sketch.placer.add_obstacle(Box{0.5 * (points[i] + points[i + 1]), {1.0, 1.0}});
+    }
   }
   sketch.canvas.end_group();
 }
@@ -63,11 +66,16 @@ void draw_bodies(Sketch sketch) {
   sketch.canvas.end_group();
 }
 
-/// The fixed line that a block slides on, on its lower side; of a vertical line, on the right.
-void draw_fixed_guide(Sketch sketch, Vec2 block, Vec2 along) {
+/// The normal of a line that points down the sheet; of a vertical line, to the right.
+Vec2 find_lower_side(Vec2 along) {
   const Vec2 normal = perp(along);
   const bool points_down = std::abs(normal.y) > 1e-9 ? normal.y > 0.0 : normal.x > 0.0;
-  const Vec2 below = points_down ? normal : -normal;
+  return points_down ? normal : -normal;
+}
+
+/// The fixed line that a block slides on, on its lower side.
+void draw_fixed_guide(Sketch sketch, Vec2 block, Vec2 along) {
+  const Vec2 below = find_lower_side(along);
   const Vec2 line = block + (kBlockHalfSize.y + 1.5) * below;
   draw_ground_line(sketch.canvas, line, along, below, kGuideHalfLength);
   const Vec2 reach = kGuideHalfLength * along;
@@ -110,23 +118,52 @@ void draw_clearance_guide(Sketch sketch, const DrawnJoint& joint, Vec2 block, Ve
   }
 }
 
+/// A slot on the sheet, round at its ends.
+struct SlotShape {
+  Vec2 from;  ///< [px] centre of the round end
+  Vec2 to;    ///< [px]
+  double half_width = 0.0;
+  bool is_fixed = false;
+  std::string_view color;
+};
+
 /// A slot around its pin; without a length given, as long as a guide is drawn.
+SlotShape make_slot(const DrawingPlan& plan, const DrawnJoint& joint) {
+  const double half_width = kJointRadius + (shows_clearance(joint.kind) ? kShownClearance : 1.5);
+  const Vec2 along = make_sheet_direction(joint.direction);
+  const Vec2 middle = plan.view.place(joint.first);
+  const double to_pin = dot(plan.view.place(joint.second) - middle, along);
+  const double given = std::max(0.5 * joint.length * plan.view.scale - half_width, 0.0);
+  const double half = joint.length > 0.0 ? given : std::max(std::abs(to_pin) + 2.0 * kJointRadius, kBlockHalfSize.x);
+  const bool is_fixed = plan.is_frame(joint.first_body);
+  return {middle - half * along, middle + half * along, half_width, is_fixed,
+          is_fixed ? ink::kGround : find_colors(joint.first_body).outline};
+}
+
+/// Hatching along the lower side of a slot of the frame; of a vertical one, on the right.
+void draw_slot_ground(Sketch sketch, const SlotShape& slot) {
+  const Vec2 along = (1.0 / norm(slot.to - slot.from)) * (slot.to - slot.from);
+  const Vec2 below = find_lower_side(along);
+  const Vec2 line = 0.5 * (slot.from + slot.to) + (slot.half_width + 2.2) * below;
+  draw_ground_line(sketch.canvas, line, along, below, 0.5 * norm(slot.to - slot.from));
+  sketch.placer.add_obstacle_line(slot.from + (slot.half_width + 6.0) * below,
+                                  slot.to + (slot.half_width + 6.0) * below, 10.0);
+}
+
 void draw_slots(Sketch sketch) {
   sketch.canvas.begin_group("slots");
+  std::vector<SlotShape> slots;
   for (const DrawnJoint& joint : sketch.plan.drawing.joints) {
-    if (!is_slotted(joint.kind)) continue;
-    const bool clear = shows_clearance(joint.kind);
-    const double half_width = kJointRadius + (clear ? kShownClearance : 1.5);
-    const Vec2 along = make_sheet_direction(joint.direction);
-    const Vec2 middle = sketch.plan.view.place(joint.first);
-    const double to_pin = dot(sketch.plan.view.place(joint.second) - middle, along);
-    const double given = std::max(0.5 * joint.length * sketch.plan.view.scale - half_width, 0.0);
-    const double half = joint.length > 0.0 ? given : std::max(std::abs(to_pin) + 2.0 * kJointRadius, kBlockHalfSize.x);
-    const Vec2 reach = half * along;
-    const std::string_view color =
-        sketch.plan.is_frame(joint.first_body) ? ink::kGround : find_colors(joint.first_body).outline;
-    draw_slot(sketch.canvas, middle - reach, middle + reach, half_width, color);
-    sketch.placer.add_obstacle_line(middle - reach, middle + reach, 2.0 * half_width + 4.0);
+    if (is_slotted(joint.kind)) slots.push_back(make_slot(sketch.plan, joint));
+  }
+  for (const SlotShape& slot : slots) {
+    if (slot.is_fixed && slot.from != slot.to) draw_slot_ground(sketch, slot);
+  }
+  // All outlines, then all insides: slots of one line make one slot.
+  for (const SlotShape& slot : slots) draw_slot_outline(sketch.canvas, slot.from, slot.to, slot.half_width, slot.color);
+  for (const SlotShape& slot : slots) draw_slot_inside(sketch.canvas, slot.from, slot.to, slot.half_width);
+  for (const SlotShape& slot : slots) {
+    sketch.placer.add_obstacle_line(slot.from, slot.to, 2.0 * slot.half_width + 4.0);
   }
   sketch.canvas.end_group();
 }

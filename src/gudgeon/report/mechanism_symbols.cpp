@@ -98,11 +98,15 @@ void draw_clearance(SvgCanvas& canvas, Vec2 center) {
   canvas.add_circle(center, 0.5 * kClearanceRadius, {.fill = "#ffd8a8", .stroke = ink::kClearance, .width = 1.8});
 }
 
-void draw_slot(SvgCanvas& canvas, Vec2 from, Vec2 to, double half_width, std::string_view color) {
-  // A wide stroke under a narrower one leaves the outline; its round caps are the ends.
+// A wide stroke under a narrower one leaves the outline; its round caps are the ends.
+void draw_slot_outline(SvgCanvas& canvas, Vec2 from, Vec2 to, double half_width, std::string_view color) {
   constexpr double kOutline = 2.2;
   const std::array<Vec2, 2> ends = {from, to};
   canvas.add_polygon(ends, {.stroke = color, .width = 2.0 * (half_width + kOutline)});
+}
+
+void draw_slot_inside(SvgCanvas& canvas, Vec2 from, Vec2 to, double half_width) {
+  const std::array<Vec2, 2> ends = {from, to};
   canvas.add_polygon(ends, {.stroke = ink::kPaper, .width = 2.0 * half_width});
 }
 

@@ -49,8 +49,9 @@ void draw_ground_line(SvgCanvas& canvas, Vec2 center, Vec2 along, Vec2 below, do
 void draw_block(SvgCanvas& canvas, Vec2 center, Vec2 along, const BodyColors& colors);
 void draw_revolute(SvgCanvas& canvas, Vec2 center);
 void draw_clearance(SvgCanvas& canvas, Vec2 center);
-/// A straight slot with round ends about two points.
-void draw_slot(SvgCanvas& canvas, Vec2 from, Vec2 to, double half_width, std::string_view color);
+/// A straight slot with round ends about two points: its outline, and what lies within and hides outlines drawn before.
+void draw_slot_outline(SvgCanvas& canvas, Vec2 from, Vec2 to, double half_width, std::string_view color);
+void draw_slot_inside(SvgCanvas& canvas, Vec2 from, Vec2 to, double half_width);
 /// The pin of a slot.
 void draw_pin(SvgCanvas& canvas, Vec2 center, bool has_clearance);
 void draw_rigid(SvgCanvas& canvas, Vec2 center);
