@@ -119,7 +119,7 @@ ModelFile read_model_text(std::string file_name, std::string text, std::string_v
   update_source(*root, "", model.source);
   read_sections(*root, model);
   update_cycle(model.mechanism, model.study);
-  append_check(check(model.mechanism, model.study, &model.source), model.diagnostics);
+  append_check(check(model.mechanism, model.study, &model.source, model.diagnostics.has_errors()), model.diagnostics);
   return model;
 }
 

@@ -27,8 +27,8 @@ void check_names(CheckRules& rules, const std::vector<Named>& items, std::string
 
 }  // namespace
 
-Diagnostics check(const Mechanism& mechanism, const Study& study, const SourceMap* source) {
-  CheckRules rules{mechanism, study, source};
+Diagnostics check(const Mechanism& mechanism, const Study& study, const SourceMap* source, bool read_with_errors) {
+  CheckRules rules{mechanism, study, source, read_with_errors};
   rules.check_name("the mechanism", "name", mechanism.name);
   rules.check_finite("the mechanism", "gravity", mechanism.gravity);
   check_names(rules, mechanism.bodies, "bodies", "body");
@@ -44,6 +44,7 @@ Diagnostics check(const Mechanism& mechanism, const Study& study, const SourceMa
   check_drivers(rules);
   check_loads(rules);
   check_study(rules);
+  check_plausibility(rules);
   return rules.diagnostics;
 }
 

@@ -12,7 +12,9 @@
 namespace gudgeon {
 
 /// Everything that is wrong, and remarks on what is unwise. With the source of the model, messages show values as they
-/// were written there too. The codes are listed in docs/guide/diagnostics.md.
-Diagnostics check(const Mechanism& mechanism, const Study& study, const SourceMap* source = nullptr);
+/// were written there too. Of a model that was read with errors, a value that is not a number is one that could not be
+/// read: it has been reported and breaks no further rule. The codes are listed in docs/guide/diagnostics.md.
+Diagnostics check(const Mechanism& mechanism, const Study& study, const SourceMap* source = nullptr,
+                  bool read_with_errors = false);
 
 }  // namespace gudgeon

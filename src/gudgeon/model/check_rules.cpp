@@ -48,6 +48,7 @@ std::string CheckRules::describe(const Value& value) const {
 
 void CheckRules::check_range(std::string_view code, const Value& value, const ParameterRange& range) {
   if (std::isfinite(value.value) && range.contains(value.value)) return;
+  if (read_with_errors_ && std::isnan(value.value)) return;
   std::string key = value.path.substr(value.path.rfind('.') + 1);
   if (key == "0") key = "x";  // of a vector
   if (key == "1") key = "y";
@@ -58,6 +59,7 @@ void CheckRules::check_range(std::string_view code, const Value& value, const Pa
 
 void CheckRules::check_finite(const std::string& subject, const std::string& path, Vec2 value) {
   if (std::isfinite(value.x) && std::isfinite(value.y)) return;
+  if (read_with_errors_ && (std::isnan(value.x) || std::isnan(value.y))) return;
   diagnostics.error("E-MODEL-005", path,
                     fmt::format("{}: {} is ({}, {}); it must be finite", subject, path.substr(path.rfind('.') + 1),
                                 value.x, value.y));

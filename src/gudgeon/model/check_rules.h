@@ -18,8 +18,8 @@ namespace gudgeon {
 
 class CheckRules {
  public:
-  CheckRules(const Mechanism& model, const Study& plan, const SourceMap* source)
-      : mechanism(model), study(plan), source_(source) {}
+  CheckRules(const Mechanism& model, const Study& plan, const SourceMap* source, bool read_with_errors)
+      : mechanism(model), study(plan), source_(source), read_with_errors_(read_with_errors) {}
 
   /// One value of the model: the subject and key name it for the user, the path finds its place.
   struct Value {
@@ -46,6 +46,7 @@ class CheckRules {
 
  private:
   const SourceMap* source_;
+  bool read_with_errors_;  // what is no number could not be read, and has been reported
 };
 
 /// "positive", "not negative", "above 0 and at most 1" …
@@ -64,6 +65,7 @@ void check_contacts(CheckRules& rules);
 void check_drivers(CheckRules& rules);
 void check_loads(CheckRules& rules);
 void check_study(CheckRules& rules);
+void check_plausibility(CheckRules& rules);
 
 /// Whose a function is: where it stands, and what it may depend on.
 struct FunctionUse {

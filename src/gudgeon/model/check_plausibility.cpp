@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Values that are possible, but look like a slip of the unit: an inertia no body of that size has, a length far beyond
+// all others.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "gudgeon/model/check_rules.h"
+
+namespace gudgeon {
+
+namespace {
+
+/// Bodies reach beyond the points that joints hold on to, a crank's flywheel by a few times: this is no flywheel.
+constexpr double kLargestGyration = 5.0;
+/// Millimetres taken for metres are a thousand times; machines of one kind of part and another are not.
+constexpr double kFarBeyond = 100.0;
+
+/// A length of the model as the user gave it.
+struct Length {
+  std::string subject;  ///< "joint 'guide': start displacement"
+  std::string path;
+  double value = 0.0;  ///< [m] its size
+};
+
+/// The largest distance between any two of a body's points and its centre of mass.
+double find_extent(const Body& body) {
+  std::vector<Vec2> places;
+  for (const Point& point : body.points) places.push_back(point.position);
+  if (body.name != kFrameName) places.push_back(body.center_of_mass);
+  double extent = 0.0;
+  for (const Vec2 a : places) {
+    for (const Vec2 b : places) extent = std::max(extent, norm(a - b));
+  }
+  return extent;
+}
+
+double find_reach(const Body& body) {
+  double reach = 0.0;
+  for (const Point& point : body.points) reach = std::max(reach, norm(point.position - body.center_of_mass));
+  return reach;
+}
+
+/// "1.58 m", or below a metre "75 mm".
+std::string print_length(double meters) {
+  return meters < 1.0 ? fmt::format("{:.3g} mm", 1e3 * meters) : fmt::format("{:.3g} m", meters);
+}
+
+/// Whether an ideal guide or a weld of the frame keeps the body's angle: its inertia is of no account.
+bool is_kept_from_turning(const Mechanism& mechanism, const Body& body) {
+  return std::ranges::any_of(mechanism.joints, [&](const Joint& joint) {
+    if (!std::holds_alternative<Prismatic>(joint.kind) && !std::holds_alternative<Rigid>(joint.kind)) return false;
+    const auto [first, second] = anchors(joint.kind);
+    return (first.body == kFrameName && second.body == body.name) ||
+           (second.body == kFrameName && first.body == body.name);
+  });
+}
+
+void remark_inertia(CheckRules& rules, const Body& body, double largest_extent) {
+  const double gyration = std::sqrt(body.inertia / body.mass);
+  // A body with one point shows no size of its own, but it is no larger than all of the mechanism.
+  const double reach = find_reach(body);
+  const double limit = reach > 0.0 ? kLargestGyration * reach : largest_extent;
+  if (!(limit > 0.0) || !(gyration > limit) || !std::isfinite(gyration)) return;
+  const std::string path = fmt::format("bodies.{}.inertia", body.name);
+  const std::string seen = reach > 0.0
+                               ? fmt::format("its farthest point is {} from its centre of mass", print_length(reach))
+                               : fmt::format("the largest body is {} long", print_length(largest_extent));
+  rules.diagnostics.remark(
+      "R-MODEL-130", path,
+      fmt::format("body '{}': inertia is {}, a radius of gyration of {} for its {:.3g} kg, while {}", body.name,
+                  rules.describe({"", path, body.inertia, dimension::kInertia}), print_length(gyration), body.mass,
+                  seen),
+      {fmt::format("a slender bar of {} and {:.3g} kg has {:.2g} kg m^2", print_length(find_extent(body)), body.mass,
+                   body.mass * find_extent(body) * find_extent(body) / 12.0)});
+}
+
+void add_length(std::vector<Length>& lengths, std::string subject, std::string path, std::optional<double> value) {
+  if (value && *value != 0.0) lengths.push_back({std::move(subject), std::move(path), std::abs(*value)});
+}
+
+/// One of every body, start displacement, free length and driven slide.
+std::vector<Length> list_lengths(const Mechanism& mechanism) {
+  std::vector<Length> lengths;
+  for (const Body& body : mechanism.bodies) {
+    add_length(lengths, fmt::format("body '{}': its extent", body.name), fmt::format("bodies.{}.points", body.name),
+               find_extent(body));
+  }
+  for (const Joint& joint : mechanism.joints) {
+    const auto* slide = std::get_if<Prismatic>(&joint.kind);
+    if (slide == nullptr) continue;
+    add_length(lengths, fmt::format("joint '{}': start displacement", joint.name),
+               fmt::format("joints.{}.start.displacement", joint.name), slide->start_displacement);
+  }
+  for (const Load& load : mechanism.loads) {
+    const auto* spring = std::get_if<Spring>(&load.kind);
+    if (spring == nullptr) continue;
+    add_length(lengths, fmt::format("load '{}': free_length", load.name),
+               fmt::format("loads.{}.free_length", load.name), spring->free_length);
+  }
+  for (const Driver& driver : mechanism.drivers) {
+    if (!std::holds_alternative<DrivenSlide>(driver.target) || !driver.is_uniform()) continue;
+    add_length(lengths, fmt::format("driver '{}': start", driver.name), fmt::format("drivers.{}.start", driver.name),
+               driver.start);
+  }
+  return lengths;
+}
+
+/// The middle one of all lengths but that one; nothing when it is the only one.
+std::optional<double> find_usual_length(const std::vector<Length>& lengths, std::size_t but) {
+  std::vector<double> others;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    if (i != but) others.push_back(lengths[i].value);
+  }
+  if (others.empty()) return std::nullopt;
+  const auto middle = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
+  std::ranges::nth_element(others, middle);
+  return *middle;
+}
+
+void remark_lengths(CheckRules& rules) {
+  const std::vector<Length> lengths = list_lengths(rules.mechanism);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const std::optional<double> usual = find_usual_length(lengths, i);
+    if (!usual || !(lengths[i].value > kFarBeyond * *usual) || !std::isfinite(lengths[i].value)) continue;
+    rules.diagnostics.remark(
+        "R-MODEL-131", lengths[i].path,
+        fmt::format("{} is {}, {:.0f} times the usual length of this model, {}", lengths[i].subject,
+                    print_length(lengths[i].value), lengths[i].value / *usual, print_length(*usual)),
+        {"a number without unit is in metres"});
+  }
+}
+
+}  // namespace
+
+void check_plausibility(CheckRules& rules) {
+  double largest_extent = 0.0;
+  for (const Body& body : rules.mechanism.bodies) largest_extent = std::max(largest_extent, find_extent(body));
+  for (const Body& body : rules.mechanism.bodies) {
+    if (body.name == kFrameName || is_kept_from_turning(rules.mechanism, body)) continue;
+    remark_inertia(rules, body, largest_extent);
+  }
+  remark_lengths(rules);
+}
+
+}  // namespace gudgeon
