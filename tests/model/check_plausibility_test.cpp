@@ -44,14 +44,14 @@ TEST(CheckPlausibility, TellsARadiusOfGyrationBeyondTheBody) {
   EXPECT_THAT(text, HasSubstr("a slender bar of 150 mm and 2 kg has 0.0037 kg m^2"));
 }
 
-// A body that shows no size of its own is still no larger than the largest.
+// A body that shows no size of its own is still not far larger than the largest.
 TEST(CheckPlausibility, MeasuresABodyOfOnePointByTheMechanism) {
   Model model = make_bar();
   model.mechanism.joints.pop_back();  // the slider turns freely now
-  model.mechanism.bodies[3].inertia = 0.1;
+  model.mechanism.bodies[3].inertia = 0.6;
   EXPECT_EQ(check_model(model), "");
-  model.mechanism.bodies[3].inertia = 0.2;
-  EXPECT_THAT(check_model(model), HasSubstr("body 'slider': inertia is 0.2 kg m^2, a radius of gyration of 447 mm for "
+  model.mechanism.bodies[3].inertia = 0.7;
+  EXPECT_THAT(check_model(model), HasSubstr("body 'slider': inertia is 0.7 kg m^2, a radius of gyration of 837 mm for "
                                             "its 1 kg, while the largest body is 400 mm long"));
 }
 
@@ -68,9 +68,8 @@ TEST(CheckPlausibility, TellsADisplacementInMillimetresTakenForMetres) {
   std::get<Prismatic>(model.mechanism.joints[3].kind).start_displacement = -60.0;
   const std::string text = check_model(model);
   EXPECT_THAT(text, HasSubstr("R-MODEL-131"));
-  EXPECT_THAT(text,
-              HasSubstr("joint 'guide': start displacement is 60 m, 150 times the usual length of this model, "
-                        "400 mm"));
+  EXPECT_THAT(text, HasSubstr("joint 'guide': start displacement is 60 m, 150 times the usual length of this model, "
+                              "400 mm"));
 }
 
 TEST(CheckPlausibility, TellsABodyAndASpringFarBeyondTheOthers) {

@@ -192,9 +192,12 @@ TEST(LabelPlacer, AvoidsWhatIsTaken) {
 // A label is worth more than any line.
 TEST(LabelPlacer, CoversLinesRatherThanLabels) {
   LabelPlacer placer({{50, 50}, {50, 50}});
-  placer.add_obstacle({{70, 20}, {20, 20}});
+  placer.add_obstacle({{70, 20}, {5, 5}});
   placer.add_label({{20, 50}, {15, 15}});
   EXPECT_EQ(placer.place({{20, 50}, {70, 20}}, {10, 5})->center, (Vec2{70, 20}));
+  // But it rather goes elsewhere than to hide much.
+  placer.add_obstacle({{70, 80}, {20, 15}});
+  EXPECT_TRUE(placer.place({{70, 80}}, {10, 5})->is_far);
 }
 
 TEST(LabelPlacer, GoesFarWhereAllIsTakenAndGivesUpOnAFullSheet) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "gudgeon/model/check_rules.h"
 
@@ -15,8 +16,10 @@ namespace gudgeon {
 
 namespace {
 
-/// Bodies reach beyond the points that joints hold on to, a crank's flywheel by a few times: this is no flywheel.
+/// Of the distance from a body's centre of mass to its farthest point, and of the longest body: bodies reach beyond the
+/// points that joints hold on to, a crank's flywheel by a few times.
 constexpr double kLargestGyration = 5.0;
+constexpr double kLargestPart = 2.0;
 /// Millimetres taken for metres are a thousand times; machines of one kind of part and another are not.
 constexpr double kFarBeyond = 100.0;
 
@@ -62,21 +65,25 @@ bool is_kept_from_turning(const Mechanism& mechanism, const Body& body) {
 
 void remark_inertia(CheckRules& rules, const Body& body, double largest_extent) {
   const double gyration = std::sqrt(body.inertia / body.mass);
-  // A body with one point shows no size of its own, but it is no larger than all of the mechanism.
+  // A flywheel is larger than the crank it sits on, but not far larger than all of the mechanism.
   const double reach = find_reach(body);
-  const double limit = reach > 0.0 ? kLargestGyration * reach : largest_extent;
+  const double limit = std::max(kLargestGyration * reach, kLargestPart * largest_extent);
   if (!(limit > 0.0) || !(gyration > limit) || !std::isfinite(gyration)) return;
   const std::string path = fmt::format("bodies.{}.inertia", body.name);
   const std::string seen = reach > 0.0
                                ? fmt::format("its farthest point is {} from its centre of mass", print_length(reach))
                                : fmt::format("the largest body is {} long", print_length(largest_extent));
+  std::vector<std::string> notes;
+  if (const double extent = find_extent(body); extent > 0.0) {
+    notes.push_back(fmt::format("a slender bar of {} and {:.3g} kg has {:.2g} kg m^2", print_length(extent), body.mass,
+                                body.mass * extent * extent / 12.0));
+  }
   rules.diagnostics.remark(
       "R-MODEL-130", path,
       fmt::format("body '{}': inertia is {}, a radius of gyration of {} for its {:.3g} kg, while {}", body.name,
                   rules.describe({"", path, body.inertia, dimension::kInertia}), print_length(gyration), body.mass,
                   seen),
-      {fmt::format("a slender bar of {} and {:.3g} kg has {:.2g} kg m^2", print_length(find_extent(body)), body.mass,
-                   body.mass * find_extent(body) * find_extent(body) / 12.0)});
+      std::move(notes));
 }
 
 void add_length(std::vector<Length>& lengths, std::string subject, std::string path, std::optional<double> value) {
