@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gudgeon {
 
@@ -25,6 +26,9 @@ constexpr std::size_t kMostEntries = 400;
 constexpr std::size_t kPassageNodes = 4;
 // The estimate is that of a polynomial two orders lower, which is off by far more than the one that is used.
 constexpr double kTrustedEstimate = 100.0;
+// Rounding in the slopes grows towards the position while the polynomial's own error shrinks. Where the estimate no
+// longer falls from step to step nothing better is to be had, and up to so many times more is then taken.
+constexpr double kMostForgiven = 30.0;
 // A motion continued from slopes that rounding has moved is never known better than this, relative to its size.
 constexpr double kFinestTolerance = 1e-11;
 
@@ -77,11 +81,15 @@ std::optional<double> SingularPassage::find_far_side() {
   if (nodes_.size() < kPassageNodes) return std::nullopt;
   // The polynomial through one step less tells how far this one is to be trusted.
   const double far_side = now.time + stride;
+  double worst = 0.0;
   for (std::size_t i = 0; i < now.y.size(); ++i) {
     const double error = extrapolate(far_side, i, kPassageNodes) - extrapolate(far_side, i, kPassageNodes - 1);
-    if (!(std::abs(error) <= kTrustedEstimate * tolerance_ * std::max(1.0, std::abs(now.y[i])))) return std::nullopt;
+    const double ratio = std::abs(error) / (kTrustedEstimate * tolerance_ * std::max(1.0, std::abs(now.y[i])));
+    worst = ratio <= worst ? worst : std::isfinite(ratio) ? ratio : kNothingKnown;
   }
-  return far_side;
+  const double last_worst = std::exchange(last_worst_, worst);
+  if (worst <= 1.0 || (worst >= last_worst && worst <= kMostForgiven)) return far_side;
+  return std::nullopt;
 }
 
 // The newest step and three before it, each at least a third of the stride from the next.

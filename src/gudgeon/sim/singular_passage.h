@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,7 +24,10 @@ class SingularPassage {
   /// kept.
   void note(double time, const std::vector<double>& y, const std::vector<double>& slope, double closeness);
   /// The motion is about to lose its smoothness: a contact changes.
-  void forget() { n_entries_ = 0; }
+  void forget() {
+    n_entries_ = 0;
+    last_worst_ = kNothingKnown;
+  }
 
   /// Longest step [s] that still leaves enough of them before a singular position ahead to continue the motion from.
   [[nodiscard]] double find_longest_step() const;
@@ -36,6 +40,7 @@ class SingularPassage {
   void interpolate(double time, std::vector<double>& y) const;
 
  private:
+  static constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
   struct Entry {
     double time = 0.0;
     double distance = 0.0;  // 1/√closeness: goes to zero linearly with time
@@ -54,7 +59,8 @@ class SingularPassage {
   std::vector<Entry> ring_;
   std::size_t newest_ = 0;
   std::size_t n_entries_ = 0;
-  std::vector<const Entry*> nodes_;  // newest first
+  std::vector<const Entry*> nodes_;    // newest first
+  double last_worst_ = kNothingKnown;  // largest estimate before the last step, against what is trusted
 };
 
 }  // namespace gudgeon
