@@ -27,6 +27,12 @@ class ImplicitStepper final : public ControlledStepper, private DenseStep {
   [[nodiscard]] ContactRates find_rates() const noexcept {
     return response_.find_rates(equations_.latches, equations_.workspace);
   }
+  /// How fast slip of a contact comes to rest where friction is steepest, by the forces of the workspace as it stands.
+  [[nodiscard]] double find_steepest_decay(std::size_t contact) noexcept {
+    response_.update(equations_.workspace);
+    has_response_ = true;
+    return response_.find_steepest_decay(contact, equations_.workspace);
+  }
   /// How many contacts press there.
   [[nodiscard]] int n_pressing() const noexcept { return response_.n_pressing(); }
   [[nodiscard]] const DenseStep& dense() const override { return *this; }

@@ -110,9 +110,16 @@ void MotionIntegrator::choose_stepper() {
   }
 }
 
-// Whether the explicit step last tried calls for implicit ones, which can be had.
+// Whether the explicit step last tried calls for implicit ones, which can be had. A step that slip turns in may have
+// jumped over where friction is steep, and so not have felt it: steps to and fro are held short by it all the same.
 bool MotionIntegrator::calls_for_implicit() {
-  if (!implicit_ || !implicit_watch_.note_explicit_step(explicit_->find_stiffness())) return false;
+  if (!implicit_) return false;
+  double stiffness = explicit_->find_stiffness();
+  for (std::size_t k = 0; k < gaps_.size(); ++k) {
+    if (!equations_.latches[k].in_contact || !explicit_->turns_slip(k)) continue;
+    stiffness = std::max(stiffness, explicit_->dense().step() * implicit_->find_steepest_decay(k));
+  }
+  if (!implicit_watch_.note_explicit_step(stiffness)) return false;
   return std::ranges::count(equations_.latches, true, &ContactLatch::in_contact) <= ContactResponse::kMost;
 }
 

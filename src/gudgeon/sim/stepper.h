@@ -62,6 +62,17 @@ class Stepper {
   [[nodiscard]] const ContactSample& find_sample(int stage, std::size_t contact) const {
     return samples_[stage][contact];
   }
+  /// Whether slip changed its direction between stages of the step at which the contact pressed.
+  [[nodiscard]] bool turns_slip(std::size_t contact) const noexcept {
+    double least = 0.0;
+    double most = 0.0;
+    for (const auto& stage : samples_) {
+      if (!(stage[contact].normal_force > 0.0)) continue;
+      least = std::min(least, stage[contact].slip_speed);
+      most = std::max(most, stage[contact].slip_speed);
+    }
+    return least < 0.0 && most > 0.0;
+  }
   /// Goes on where another stepper's last step ended.
   void take_over_end(const Stepper& other) { take_over(other.samples_.back()); }
   /// Starts again where another stepper's last attempt, which was given up, had started.

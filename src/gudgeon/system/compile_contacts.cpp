@@ -69,6 +69,8 @@ class ContactCompiler {
     contact.friction = properties.friction;
     if (has_bristle(contact.friction)) contact.bristle = tables_.n_bristles++;
     contact.bristle_scale = find_bristle_scale(contact.friction);
+    contact.slip_scale = find_slip_scale(contact.friction);
+    contact.steepest_friction = find_steepest_friction(contact.friction);
     contact.steps_at_onset = steps_at_onset(contact.normal_force);
     contact.bearing_wear = properties.bearing_wear;
     contact.journal_wear = properties.journal_wear;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace gudgeon {
 
@@ -15,6 +16,23 @@ namespace {
 double find_slip_speed(const ContactGap& gap, const RelativeMotion& motion) noexcept {
   return dot(perp(gap.normal), motion.velocity) + motion.journal_rate * gap.journal_lever -
          motion.bearing_rate * gap.bearing_lever;
+}
+
+// Slopes are taken over this share of a law's least speed: differences then have six digits.
+constexpr double kSlipShare = 1e-5;
+
+// Those parameters of a law that are speeds, where they are not zero.
+std::vector<double> list_speeds(const AnyFriction& friction) {
+  return std::visit(
+      []<class Law>(const Law& law) {
+        std::vector<double> speeds;
+        for (const auto& parameter : Law::kParameters) {
+          const double value = law.*(parameter.member);
+          if (parameter.dimension == dimension::kSpeed && value > 0.0) speeds.push_back(value);
+        }
+        return speeds;
+      },
+      friction);
 }
 
 NormalContact make_normal_contact(const Contact& contact, const ContactLatch& latch, const ContactGap& gap) noexcept {
@@ -34,8 +52,8 @@ NormalForce find_normal_force(const Contact& contact, const NormalContact& kinem
   return std::visit([&](const auto& law) { return law(kinematics); }, contact.normal_force);
 }
 
-Friction find_friction(const Contact& contact, double slip_speed, double bristle) noexcept {
-  return std::visit([&](const auto& law) { return law(FrictionContact{slip_speed, bristle}); }, contact.friction);
+Friction find_friction(const AnyFriction& friction, double slip_speed, double bristle) noexcept {
+  return std::visit([&](const auto& law) { return law(FrictionContact{slip_speed, bristle}); }, friction);
 }
 
 }  // namespace
@@ -68,6 +86,26 @@ double find_bristle_scale(const AnyFriction& friction) {
   return kDeflection / (1.0 - rate);
 }
 
+double find_slip_scale(const AnyFriction& friction) {
+  const std::vector<double> speeds = list_speeds(friction);
+  return speeds.empty() ? 1.0 : std::ranges::min(speeds);
+}
+
+double find_steepest_friction(const AnyFriction& friction) {
+  constexpr int kParts = 8;  // of each speed
+  const double step = kSlipShare * find_slip_scale(friction);
+  double steepest = 0.0;
+  for (const double speed : list_speeds(friction)) {
+    for (int k = 0; k <= kParts; ++k) {
+      const double slip = speed * k / kParts;
+      const double rise =
+          find_friction(friction, slip + step, 0.0).coefficient - find_friction(friction, slip, 0.0).coefficient;
+      steepest = std::max(steepest, rise / step);
+    }
+  }
+  return steepest;
+}
+
 double find_contact_modulus(const Material& bearing, const Material& journal) {
   const auto compliance = [](const Material& m) { return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus; };
   return 1.0 / (compliance(bearing) + compliance(journal));
@@ -80,7 +118,7 @@ void update_contact_forces(const Contact& contact, const RelativeMotion& motion,
   if (!presses) {
     forces = ContactForces{.gap = gap};
     if (latch.in_contact && contact.bristle >= 0) {
-      forces.bristle_rate = find_friction(contact, find_slip_speed(gap, motion), bristle).bristle_rate;
+      forces.bristle_rate = find_friction(contact.friction, find_slip_speed(gap, motion), bristle).bristle_rate;
     }
     return;
   }
@@ -94,7 +132,7 @@ void update_contact_forces(const Contact& contact, const RelativeMotion& motion,
   // Along the slip, at the middle of the overlap.
   const Vec2 tangent = perp(gap.normal);
   forces.slip_speed = find_slip_speed(gap, motion);
-  const Friction friction = find_friction(contact, forces.slip_speed, bristle);
+  const Friction friction = find_friction(contact.friction, forces.slip_speed, bristle);
   forces.friction_force = friction.coefficient * normal.force;
   forces.bristle_rate = friction.bristle_rate;
   forces.friction_power = forces.friction_force * forces.slip_speed;
@@ -121,20 +159,19 @@ void update_contact_forces(const Contact& contact, const RelativeMotion& motion,
 
 ContactSlopes find_contact_slopes(const Contact& contact, const ContactLatch& latch, double bristle,
                                   const ContactForces& forces) noexcept {
-  // Shares of the penetration and of the onset speed, and a slip [m/s] far below any regularisation: differences then
-  // have eight digits or, of friction, six.
+  // Of the penetration and of the onset speed: differences then have eight digits.
   constexpr double kShare = 1e-6;
-  constexpr double kSlip = 1e-9;
+  const double slip = kSlipShare * contact.slip_scale;
   const NormalContact at = make_normal_contact(contact, latch, forces.gap);
   NormalContact deeper = at;
   NormalContact faster = at;
   deeper.penetration *= 1.0 + kShare;
   faster.penetration_rate += kShare * at.onset_speed;
-  const double coefficient = find_friction(contact, forces.slip_speed, bristle).coefficient;
-  const double next = find_friction(contact, forces.slip_speed + kSlip, bristle).coefficient;
+  const double coefficient = find_friction(contact.friction, forces.slip_speed, bristle).coefficient;
+  const double next = find_friction(contact.friction, forces.slip_speed + slip, bristle).coefficient;
   return {(find_normal_force(contact, deeper).force - forces.normal_force) / (deeper.penetration - at.penetration),
           (find_normal_force(contact, faster).force - forces.normal_force) / (kShare * at.onset_speed), coefficient,
-          (next - coefficient) / kSlip};
+          (next - coefficient) / slip};
 }
 
 }  // namespace gudgeon

@@ -34,8 +34,10 @@ struct Contact {
   AnyNormalForce normal_force;
   bool steps_at_onset = false;  ///< the normal force does
   AnyFriction friction;
-  int bristle = -1;            ///< index of the bristle's deflection in the state, -1 without one
-  double bristle_scale = 0.0;  ///< [m] deflection at which the bristle slips
+  int bristle = -1;                ///< index of the bristle's deflection in the state, -1 without one
+  double bristle_scale = 0.0;      ///< [m] deflection at which the bristle slips
+  double slip_scale = 1.0;         ///< [m/s] the least slip over which the friction law changes
+  double steepest_friction = 0.0;  ///< [s/m] largest dμ/dv of the friction law
   AnyWear bearing_wear;
   AnyWear journal_wear;
   double onset_speed_floor = 0.0;  ///< [m/s]
@@ -105,6 +107,11 @@ struct ContactSlopes {
 /// By differences of the laws, at the forces that were last found for a contact that presses.
 ContactSlopes find_contact_slopes(const Contact& contact, const ContactLatch& latch, double bristle,
                                   const ContactForces& forces) noexcept;
+
+/// The least slip speed [m/s] over which a law changes: the smallest of its parameters that are speeds; 1 without any.
+double find_slip_scale(const AnyFriction& friction);
+/// The largest slope dμ/dv [s/m] that a law has between zero slip and the largest of its speeds; without its bristle.
+double find_steepest_friction(const AnyFriction& friction);
 
 /// Whether a law's force begins with a step as surfaces meet: its damping does not grow from nothing.
 bool steps_at_onset(const AnyNormalForce& normal_force);

@@ -112,6 +112,15 @@ void ContactResponse::correct(double* residual) const noexcept {
   }
 }
 
+double ContactResponse::find_steepest_decay(std::size_t contact, const Workspace& workspace) const noexcept {
+  for (int p = 0; p < n_pressing_; ++p) {
+    if (pressing_[p] != contact) continue;
+    const double gain = gains_(2 * p + 1, 2 * p + 1);
+    return workspace.contact_forces[contact].normal_force * tables_->contacts[contact].steepest_friction * gain;
+  }
+  return 0.0;
+}
+
 ContactRates ContactResponse::find_rates(std::span<const ContactLatch> latches,
                                          const Workspace& workspace) const noexcept {
   ContactRates rates;

@@ -39,6 +39,9 @@ class ContactResponse {
   /// Replaces what an acceleration lacks, f(a) − a, by (I − J)⁻¹ (f(a) − a); n_free components.
   void correct(double* residual) const noexcept;
 
+  /// How fast [1/s] slip of a contact that pressed at the last update comes to rest where its friction is steepest.
+  [[nodiscard]] double find_steepest_decay(std::size_t contact, const Workspace& workspace) const noexcept;
+
   /// How many contacts pressed at the last update.
   [[nodiscard]] int n_pressing() const { return n_pressing_; }
 
