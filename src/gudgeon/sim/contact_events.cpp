@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace gudgeon {
@@ -48,7 +49,13 @@ GapState find_gap_state(const RevoluteSurfaces& surfaces, const RelativeMotion& 
           fastest * per_radian,
           gap.penetration,
           gap.penetration_rate,
+          0.0,
           0.0};
+}
+
+void set_overrun(const GuideSurfaces& surfaces, double position, double position_rate, GapState& state) noexcept {
+  state.overrun = std::abs(position) - surfaces.half_length;
+  state.overrun_rate = std::copysign(1.0, position) * position_rate;
 }
 
 GapState find_gap_state(const GuideSurfaces& surfaces, const RelativeMotion& motion) noexcept {
@@ -57,17 +64,21 @@ GapState find_gap_state(const GuideSurfaces& surfaces, const RelativeMotion& mot
       static_cast<double>(surfaces.bearing_wear.region_depths().size()) / (2.0 * surfaces.half_length);
   const double sliding = std::abs(gap.position_rate) * per_meter;
   const double rolling = std::abs(motion.journal_rate - motion.bearing_rate) * count_regions(surfaces.journal_wear);
-  return {gap.reach,       gap.reach_rate,       std::max(sliding, rolling),
-          gap.penetration, gap.penetration_rate, std::abs(gap.bearing_position) - surfaces.half_length};
+  GapState state{gap.reach, gap.reach_rate, std::max(sliding, rolling), gap.penetration, gap.penetration_rate};
+  set_overrun(surfaces, gap.bearing_position, gap.position_rate, state);
+  return state;
 }
 
 // What the gap of a contact that presses tells.
-GapState find_gap_state(const ContactSurfaces& surfaces, const ContactGap& gap) noexcept {
+GapState find_gap_state(const Contact& contact, const ContactGap& gap, const Workspace& workspace) noexcept {
   GapState state;
   state.penetration = gap.penetration;
   state.penetration_rate = gap.penetration_rate;
-  if (const auto* slot = std::get_if<GuideSurfaces>(&surfaces)) {
-    state.overrun = std::abs(gap.bearing_position) - slot->half_length;
+  if (const auto* slot = std::get_if<GuideSurfaces>(&contact.surfaces)) {
+    const RelativeMotion motion = find_contact_motion(contact, workspace);
+    const Vec2 along = -slot->side * perp(gap.normal);
+    const double rate = dot(along, motion.velocity) + motion.bearing_rate * cross(along, motion.offset);
+    set_overrun(*slot, gap.bearing_position, rate, state);
   }
   return state;
 }
@@ -88,7 +99,7 @@ void ContactEvents::find_gaps(Workspace& workspace, std::span<const ContactLatch
   if (!all_known) update_point_motions(*tables_, workspace);
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     if (latches[k].in_contact) {
-      gaps[k] = find_gap_state(tables_->contacts[k].surfaces, workspace.contact_forces[k].gap);
+      gaps[k] = find_gap_state(tables_->contacts[k], workspace.contact_forces[k].gap, workspace);
     } else {
       gaps[k] = find_gap(k, workspace);
     }
@@ -110,7 +121,22 @@ GapState ContactEvents::find_gap_at(double share, std::size_t contact, const Den
   return find_gap(contact, workspace);
 }
 
-// First share in (0, limit] at which sign δ rises above zero; at the start it counts as not above.
+// Angles that have turned often are known less well, and what drivers ask for no better than time is.
+double ContactEvents::find_gap_rounding(std::size_t contact, double time, const Workspace& workspace) const noexcept {
+  const Coordinates& at = workspace.coordinates;
+  double size = 0.0;
+  for (const int end : {tables_->contacts[contact].bearing_row, tables_->contacts[contact].journal_row}) {
+    for (int r = end; r >= 0; r = tables_->points.rows()[r].predecessor) {
+      const PointChain::Row& row = tables_->points.rows()[r];
+      const double turned = 1.0 + std::abs(at.angle[row.turn]) + std::abs(at.angle_rate[row.turn]) * time;
+      const double slid = std::abs(at.slide[row.slide]) * turned + std::abs(at.slide_rate[row.slide]) * time;
+      size += norm(row.vector) * slid;
+    }
+  }
+  return std::numeric_limits<double>::epsilon() * size;
+}
+
+// First share in [0, limit] at which sign δ rises above zero. What begins above zero and falls has to turn first.
 std::optional<double> ContactEvents::find_crossing(std::size_t contact, double sign, double limit, int n_parts,
                                                    const GapState& start, const DenseStep& step, Workspace& workspace) {
   const auto look = [&](double share) { return find_gap_at(share, contact, step, workspace); };
@@ -123,27 +149,33 @@ std::optional<double> ContactEvents::find_crossing(std::size_t contact, double s
     return 0.5 * (bracket.first + bracket.second);
   };
   double before = 0.0;
+  double value_before = sign * start.penetration;
   double rate_before = sign * start.penetration_rate;
   for (int part = 1; part <= n_parts; ++part) {
     const double after = limit * part / n_parts;
     double top = after;
     const GapState there = look(after);
     double value_top = sign * there.penetration;
-    const double rate_after = sign * there.penetration_rate;
-    double rate_top = rate_after;
+    double rate_top = sign * there.penetration_rate;
+    const double value_after = value_top;
+    const double rate_after = rate_top;
     if (value_top <= 0.0 && rate_before > 0.0 && rate_after < 0.0) {
       top = refine(rate, before, rate_before, after, rate_after);
       value_top = value(top);
       rate_top = 0.0;
     }
-    if (value_top > 0.0) {
-      // Just after a change the gap is a hair on the wrong side and moving off it: go to where it turns back.
+    const bool falls = value_before > 0.0 && rate_before < 0.0;
+    if (value_top > 0.0 && !(falls && rate_top <= 0.0)) {
       double bottom = before;
-      if (rate_before < 0.0 && rate_top > 0.0) bottom = refine(rate, before, rate_before, top, rate_top);
-      const double value_bottom = value(bottom);
+      double value_bottom = value_before;
+      if (rate_before < 0.0 && rate_top > 0.0) {
+        bottom = refine(rate, before, rate_before, top, rate_top);
+        value_bottom = value(bottom);
+      }
       return value_bottom < 0.0 ? refine(value, bottom, value_bottom, top, value_top) : bottom;
     }
     before = after;
+    value_before = value_after;
     rate_before = rate_after;
   }
   return std::nullopt;
@@ -160,10 +192,8 @@ int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, c
     return may_rise_above(value_a, slope_a, value_b, slope_b, margin);
   };
   if (in_contact) {
-    // A contact begins with its surfaces a hair apart; a very short step may not close them yet.
-    const bool enters = start.penetration <= 0.0 && start.penetration_rate > 0.0 && end.penetration_rate > 0.0 &&
-                        end.penetration - start.penetration > 0.5 * h * start.penetration_rate;
-    const bool opens = end.penetration < 0.0 && !enters;
+    // A contact begins with its surfaces a hair apart: it may close and part again, or never close.
+    const bool opens = end.penetration < 0.0;
     const bool may_open =
         may_rise(-start.penetration, -start.penetration_rate, -end.penetration, -end.penetration_rate);
     return opens || (may_open && start.penetration_rate < 0.0 && end.penetration_rate > 0.0) ? kParts : 0;
@@ -193,6 +223,24 @@ std::optional<ContactChange> ContactEvents::find_first_change(const DenseStep& s
     if (crossing) first = ContactChange{k, *crossing};
   }
   return first;
+}
+
+// A slide along the slot may turn back once between two ends of a step; more often would take a longer one.
+std::optional<double> ContactEvents::find_hidden_overrun(const DenseStep& step, const std::vector<GapState>& start,
+                                                         const std::vector<GapState>& end, Workspace& workspace) {
+  for (std::size_t k = 0; k < start.size(); ++k) {
+    if (end[k].overrun > 0.0 || !(start[k].overrun_rate > 0.0 && end[k].overrun_rate < 0.0)) continue;
+    const double rise = start[k].overrun + step.step() * start[k].overrun_rate;
+    const double fall = end[k].overrun - step.step() * end[k].overrun_rate;
+    if (std::max(rise, fall) <= 0.0) continue;
+    const auto look = [&](double share) { return find_gap_at(share, k, step, workspace); };
+    std::uintmax_t most = 60;
+    const auto top = boost::math::tools::toms748_solve([&](double share) { return look(share).overrun_rate; }, 0.0, 1.0,
+                                                       start[k].overrun_rate, end[k].overrun_rate,
+                                                       boost::math::tools::eps_tolerance<double>(kShareBits), most);
+    if (look(top.first).overrun > 0.0) return top.first;
+  }
+  return std::nullopt;
 }
 
 }  // namespace gudgeon

@@ -21,6 +21,7 @@ struct GapState {
   double penetration = 0.0;  ///< δ [m]
   double penetration_rate = 0.0;  ///< δ̇ [m/s]
   double overrun = 0.0;           ///< [m] past the end of a slot; <= 0 within it and in a round bearing
+  double overrun_rate = 0.0;      ///< [m/s]
 };
 
 /// The first change of contact in a step.
@@ -42,6 +43,8 @@ class ContactEvents {
                  std::vector<GapState>& gaps) const noexcept;
   /// All of one gap, at points that are up to date.
   [[nodiscard]] GapState find_gap(std::size_t contact, const Workspace& workspace) const noexcept;
+  /// What rounding leaves uncertain of a gap [m] at coordinates that are up to date for this time [s].
+  [[nodiscard]] double find_gap_rounding(std::size_t contact, double time, const Workspace& workspace) const noexcept;
 
   /// The earliest change of any contact between start and end of the attempted step: a gap that closes in free flight,
   /// or a contact that opens. Also finds those that begin and end inside the step. start and end are the gaps at the
@@ -49,6 +52,11 @@ class ContactEvents {
   std::optional<ContactChange> find_first_change(const DenseStep& step, std::span<const ContactLatch> latches,
                                                  const std::vector<GapState>& start, const std::vector<GapState>& end,
                                                  Workspace& workspace);
+
+  /// The share of the step at which a journal is farthest past the end of its slot, where it leaves and comes back
+  /// between start and end.
+  std::optional<double> find_hidden_overrun(const DenseStep& step, const std::vector<GapState>& start,
+                                            const std::vector<GapState>& end, Workspace& workspace);
 
  private:
   GapState find_gap_at(double share, std::size_t contact, const DenseStep& step, Workspace& workspace);

@@ -5,16 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gudgeon/sim/landing_search.h"
 #include "gudgeon/sim/motion_integrator.h"
 
 namespace gudgeon {
 
 namespace {
 
-// Onset is located this well [s]; the integrator stops within it, before the surfaces touch.
-constexpr double kOnsetTime = 1e-10;
-// Landing on a change takes one or two passes; bisection from the longest step to the shortest would take this many.
-constexpr int kMostLandings = 50;
+// A change is located within this share of the step: what the rates change by in that time is far below what a step may
+// be off by, and Newton's second try is mostly nearer than that. Tighter tolerances than the default want it tighter.
+constexpr double kWindow = 1e-9;
+constexpr double kDefaultTolerance = 1e-6;
+// A change that only dense output has seen ends its step where it was seen, unless that is next to nothing of the step.
+constexpr double kLeastShare = 1e-6;
 
 }  // namespace
 
@@ -33,6 +36,12 @@ bool MotionIntegrator::attempt_step(double longest, double left) {
     if (!is_gap_passed()) break;
     changing_contact_.reset();
     change = events_.find_first_change(stepper_->dense(), equations_.latches, gaps_, end_gaps_, scratch_);
+  }
+  // Past the end of its slot a journal is found at the end of a step.
+  if (const auto share = events_.find_hidden_overrun(stepper_->dense(), gaps_, end_gaps_, scratch_)) {
+    changing_contact_.reset();
+    stepper_->end_at(*share * stepper_->dense().step());
+    find_end_gaps();
   }
   return true;
 }
@@ -54,48 +63,46 @@ void MotionIntegrator::find_end_gaps() {
   }
 }
 
-// Ends the step again so as to end just on the near side of an onset, or just past a separation: within kOnsetTime of
-// the change and with the gap open in both cases. Newton's method on the step's length, kept inside a bracket. A change
-// that only dense output has seen, as where surfaces graze, is none: the step then ends where it was thought to be.
-// False when the step was so long that the gap is past the change from its first moment on, going the other way, or
-// when it cannot be ended there.
+// Ends the step again so as to end just on the near side of an onset, or just past a separation: with the gap open in
+// both cases. A change that only dense output has seen, as where surfaces graze, is none: the step then ends where it
+// was thought to be. False when the step was so long that the gap is past the change from its first moment on, going
+// the other way, or when it cannot be ended there.
 bool MotionIntegrator::land_on_change(const ContactChange& change) {
   const std::size_t k = change.contact;
-  const double sign = equations_.latches[k].in_contact ? -1.0 : 1.0;
+  const bool is_onset = !equations_.latches[k].in_contact;
+  const double sign = is_onset ? 1.0 : -1.0;
+  const auto watch = [&](const GapState& gap) {
+    return WatchedValue{sign * gap.penetration, sign * gap.penetration_rate};
+  };
   const double whole = stepper_->dense().step();
   const double expected = std::clamp(change.share, 0.0, 1.0) * whole;
-  double before = 0.0;
-  double after = whole;
-  bool passed = sign * end_gaps_[k].penetration > 0.0;
-  double h = expected;
-  for (int pass = 0; pass < kMostLandings; ++pass) {
+  const double window_time = kWindow * std::min(1.0, study_.relative_tolerance / kDefaultTolerance) * whole;
+  LandingSearch search(is_onset ? LandingSearch::Side::before : LandingSearch::Side::past, whole, expected,
+                       watch(gaps_[k]), watch(end_gaps_[k]));
+  const auto end_at = [&](double h) {
     stepper_->end_at(h);
     find_end_gaps();
-    const double penetration = end_gaps_[k].penetration;
-    const double rate = end_gaps_[k].penetration_rate;
-    if (!std::isfinite(penetration)) {
-      after = h;
-      h = 0.5 * (before + after);
+    return std::isfinite(end_gaps_[k].penetration);
+  };
+  for (bool goes_on = true; goes_on;) {
+    if (!end_at(search.length())) {
+      goes_on = search.note_failure();
       continue;
     }
-    const double window = 0.5 * kOnsetTime * std::abs(rate);
-    const double excess = penetration + window;
-    const bool landed = std::abs(excess) <= window;
-    passed = passed || landed || sign * excess > 0.0;
-    if (landed || after - before <= kSmallestStep) break;
-    (sign * excess > 0.0 ? after : before) = h;
-    const double newton = h - excess / rate;
-    h = newton > before && newton < after ? newton : 0.5 * (before + after);
+    const double rounding = events_.find_gap_rounding(k, stepper_->dense().start_time(), equations_.workspace);
+    const double window = std::max(window_time * std::abs(end_gaps_[k].penetration_rate), rounding);
+    goes_on = search.note(watch(end_gaps_[k]), window);
   }
-  if (passed) {
-    if (!std::isfinite(end_gaps_[k].penetration)) return false;
-    if (stepper_->dense().step() <= kSmallestStep && sign * end_gaps_[k].penetration_rate < 0.0) return false;
-    changing_contact_ = k;
-    return true;
+  switch (search.outcome()) {
+    case LandingSearch::Outcome::found:
+      if (!search.is_current() && !end_at(search.length())) return false;
+      changing_contact_ = k;
+      return true;
+    case LandingSearch::Outcome::none:
+      return end_at(expected > kLeastShare * whole ? expected : whole);
+    default:
+      return false;
   }
-  stepper_->end_at(expected > kSmallestStep ? expected : whole);
-  find_end_gaps();
-  return std::isfinite(end_gaps_[k].penetration);
 }
 
 }  // namespace gudgeon

@@ -11,7 +11,7 @@
 namespace gudgeon {
 
 /// The load that has no finite value at the state, or just ahead of it along its slopes: its index, or -1. Leaves the
-/// equations evaluated somewhere near the state.
-int find_load_in_the_way(double time, const std::vector<double>& y, MotionEquations& equations);
+/// equations evaluated somewhere near the state. smallest_step [s] is the one that steps had shrunk to.
+int find_load_in_the_way(double time, double smallest_step, const std::vector<double>& y, MotionEquations& equations);
 
 }  // namespace gudgeon

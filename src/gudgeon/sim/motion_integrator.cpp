@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace gudgeon {
@@ -20,6 +21,8 @@ constexpr double kLargestStepShare = 0.02;
 constexpr double kLonger = 2.0;
 // The first step is this share of a cycle; the error control finds the right one within a few.
 constexpr double kFirstStepShare = 1e-5;
+// Roundings that separate the end of a last step from the milestone that it was made to end at.
+constexpr double kSameTime = 4.0 * std::numeric_limits<double>::epsilon();
 
 std::vector<double> list_bristle_scales(const Tables& tables) {
   std::vector<double> scales;
@@ -154,7 +157,7 @@ bool MotionIntegrator::advance(double milestone) {
 // False when nothing more can be done.
 bool MotionIntegrator::prepare_retry() {
   const bool is_explicit = stepper_ == explicit_.get();
-  if (stepper_->next_step() < kSmallestStep) {
+  if (stepper_->next_step() < find_smallest_step()) {
     if (is_explicit || !explicit_) return false;
     stiffness_watch_.forget();
     retry_with(*explicit_);
@@ -220,7 +223,7 @@ void MotionIntegrator::accept(double milestone) {
   }
   statistics_.largest_step = std::max(statistics_.largest_step, h);
 
-  time_ = std::abs(end_time - milestone) <= 1e-12 * milestone ? milestone : end_time;
+  time_ = std::abs(end_time - milestone) <= kSameTime * milestone ? milestone : end_time;
   last_step_ = h;
   y_ = stepper_->end();
   slope_ = stepper_->end_slope();

@@ -24,7 +24,7 @@
 namespace gudgeon {
 
 /// Advances one motion. Steps are controlled by their local error and the energy ledger; a contact's change ends its
-/// step, an onset being located to 1e-10 s, just before the surfaces touch, and its speed latched; loop closures are
+/// step, an onset being located just before the surfaces touch, and its speed latched; loop closures are
 /// projected when they need it. Allocates nothing after construction.
 class MotionIntegrator {
  public:
@@ -34,10 +34,12 @@ class MotionIntegrator {
   bool begin(const State& start);
 
   /// One accepted step, at most to the milestone, which is hit exactly. False when the step would fall below
-  /// kSmallestStep; the last accepted state then stays.
+  /// the smallest; the last accepted state then stays.
   bool advance(double milestone);
 
   [[nodiscard]] double time() const { return time_; }
+  /// Shorter steps than this [s] are given up.
+  [[nodiscard]] double find_smallest_step() const noexcept { return gudgeon::find_smallest_step(time_, longest_step_); }
   [[nodiscard]] const std::vector<double>& y() const { return y_; }
   /// Equations, latches and workspace, evaluated at the end of the step.
   [[nodiscard]] MotionEquations& equations() { return equations_; }

@@ -63,7 +63,7 @@ StageRecord StageRun::run(const State& start, const std::stop_token& stop,
     }
     const double step_start = motion_.time();
     if (!motion_.advance(step_start < warm_up_end_ ? warm_up_end_ : end_)) {
-      fail("E-NUM-003", fmt::format("step below {:g} s", kSmallestStep));
+      fail("E-NUM-003", fmt::format("step below {:.2g} s", motion_.find_smallest_step()));
       break;
     }
     take_step(step_start);
@@ -82,7 +82,7 @@ StageRecord StageRun::run(const State& start, const std::stop_token& stop,
 
 void StageRun::begin(const State& start) {
   if (!motion_.begin(start)) {
-    const bool lost = find_load_in_the_way(0.0, motion_.y(), motion_.equations()) >= 0;
+    const bool lost = find_load_in_the_way(0.0, motion_.find_smallest_step(), motion_.y(), motion_.equations()) >= 0;
     fail("E-NUM-001", lost ? "the accelerations at the start are not determined"
                            : "the start position is singular: accelerations are not determined");
     return;
@@ -195,7 +195,9 @@ void StageRun::fail(const std::string& code, const std::string& reason) {
   record_.status = StageStatus::failed;
   record_.message = fmt::format("{}: stopped at t = {:.9g} s (cycle {}): {}", code, motion_.time(),
                                 static_cast<int>(motion_.time() / record_.cycle_time) + 1, reason);
-  if (const int lost = find_load_in_the_way(motion_.time(), motion_.y(), motion_.equations()); lost >= 0) {
+  if (const int lost =
+          find_load_in_the_way(motion_.time(), motion_.find_smallest_step(), motion_.y(), motion_.equations());
+      lost >= 0) {
     const Load& load = system_.mechanism.loads[lost];
     record_.message += fmt::format("; load '{}' has no finite value here: {}", load.name,
                                    std::holds_alternative<Spring>(load.kind)

@@ -4,6 +4,8 @@
 // How a motion is taken over one step: what the explicit and the stiff integrator have in common.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,8 +15,10 @@
 
 namespace gudgeon {
 
-/// A step below this [s] means that a run cannot go on.
-inline constexpr double kSmallestStep = 1e-12;
+/// A step below this [s] means that a run cannot go on: a few roundings of time, or of the longest step.
+[[nodiscard]] inline double find_smallest_step(double time, double longest_step) noexcept {
+  return 16.0 * std::numeric_limits<double>::epsilon() * std::max(time, longest_step);
+}
 
 /// Attempts a step, ends it earlier when asked to, and accepts it. An attempt leaves the workspace's coordinates at its
 /// end, an accepted step all of the workspace. Allocates nothing after construction.

@@ -26,6 +26,8 @@ constexpr double kShortened = 0.2;
 // The slope is compared with that a little later to find the first step: a share of the longest step, then the guess.
 constexpr double kFirstLook = 1e-6;
 constexpr int kLooks = 2;
+// CVODE takes no steps of less than a hundred roundings of time; these are so many of the smallest.
+constexpr double kShortest = 16.0;
 
 // ∫₀ˢ of the cubic that is one at one node and zero at the others: coefficients of s, s², s³, s⁴.
 using Integral = std::array<double, kStages>;
@@ -57,7 +59,7 @@ StiffStepper::StiffStepper(MotionEquations& equations, SolverStatistics& statist
     : Stepper(equations, statistics, kStages),
       tolerance_(tolerance),
       projection_(projection),
-      cvode_(*this, equations.n_states(), projection != nullptr, kSmallestStep, longest_step),
+      cvode_(*this, equations.n_states(), projection != nullptr, find_smallest_step(0.0, longest_step), longest_step),
       start_(equations.size()),
       start_slope_(equations.size()),
       state_(equations.size()),
@@ -123,7 +125,8 @@ double StiffStepper::find_first_step() {
       sum += ratio * ratio;
     }
     const double guess = std::sqrt(0.5 / std::sqrt(sum / static_cast<double>(std::max<std::size_t>(n, 1))));
-    h = std::isfinite(guess) ? std::clamp(guess, kSmallestStep, longest_step_) : kFirstLook * longest_step_;
+    h = std::isfinite(guess) ? std::clamp(guess, find_smallest_step(time_, longest_step_), longest_step_)
+                             : kFirstLook * longest_step_;
   }
   return h;
 }
@@ -146,7 +149,7 @@ void StiffStepper::begin(double time, const std::vector<double>& y, const std::v
 }
 
 bool StiffStepper::attempt(double /*longest*/, double left) {
-  is_line_ = left <= kSmallestStep;
+  is_line_ = left <= kShortest * find_smallest_step(time_, longest_step_);
   if (is_line_) {
     restarts_ = true;
     h_ = whole_ = left;
