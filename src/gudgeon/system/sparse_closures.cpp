@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Householder's reflections column by column of the transpose, in the order of the rows.
+#include "gudgeon/system/sparse_closures.h"
+
+#include <cmath>
+
+#include "gudgeon/system/closure_entries.h"
+
+namespace gudgeon {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+SparseMatrix find_sparse_jacobian(const Tables& tables, const Coordinates& coordinates) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const int n_free = tables.counts.n_free();
+  for (std::size_t c = 0; c < tables.closures.size(); ++c) {
+    visit_closure_entries(tables, coordinates, tables.closures[c], [&](int row, int index, double value) {
+      if (index < n_free) entries.emplace_back(static_cast<int>(2 * c) + row, index, value);
+    });
+  }
+  SparseMatrix jacobian(2 * static_cast<Index>(tables.closures.size()), n_free);
+  jacobian.setFromTriplets(entries.begin(), entries.end());
+  return jacobian;
+}
+
+namespace {
+
+double find_longest_row(const SparseMatrix& rows) {
+  VectorXd squares = VectorXd::Zero(rows.rows());
+  for (Index column = 0; column < rows.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator entry(rows, column); entry; ++entry) {
+      squares(entry.row()) += entry.value() * entry.value();
+    }
+  }
+  return squares.size() > 0 ? std::sqrt(squares.maxCoeff()) : 0.0;
+}
+
+}  // namespace
+
+RowSpace::RowSpace(const SparseMatrix& rows) : n_(rows.cols()), independent_(static_cast<std::size_t>(rows.rows())) {
+  const double longest = find_longest_row(rows);
+  if (!(longest > 0.0)) return;
+  SparseMatrix columns = rows.transpose();
+  columns.makeCompressed();
+  factors_.setPivotThreshold(kRankThreshold * longest);
+  factors_.compute(columns);
+  rank_ = static_cast<int>(factors_.rank());
+  // Those that are not independent were moved to the end.
+  for (Index k = 0; k < rank_; ++k) {
+    independent_[static_cast<std::size_t>(factors_.colsPermutation().indices()(k))] = true;
+  }
+}
+
+VectorXd RowSpace::find_free_part(const VectorXd& vector) const {
+  if (rank_ == 0) return vector;
+  VectorXd turned = factors_.matrixQ().transpose() * vector;
+  turned.head(rank_).setZero();
+  return factors_.matrixQ() * turned;
+}
+
+MatrixXd RowSpace::find_free_basis() const {
+  if (rank_ == 0) return MatrixXd::Identity(n_, n_);
+  MatrixXd basis = MatrixXd::Zero(n_, n_ - rank_);
+  basis.bottomRows(n_ - rank_).setIdentity();
+  return factors_.matrixQ() * basis;
+}
+
+RowRank find_row_rank(const Tables& tables, const RowSpace& rows) {
+  RowRank result;
+  result.rank = rows.rank();
+  for (std::size_t c = 0; c < tables.closures.size(); ++c) {
+    const auto row = static_cast<Index>(2 * c);
+    result.active.push_back(
+        {rows.is_independent(row), count_rows(tables.closures[c].kind) == 2 && rows.is_independent(row + 1)});
+  }
+  return result;
+}
+
+}  // namespace gudgeon
