@@ -3,6 +3,7 @@
 //
 // From topology to tables: numbering of equations, the matrix pattern, and every constant.
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "gudgeon/system/compile_closures.h"
@@ -51,6 +52,7 @@ class TableCompiler {
     compile_contacts(mechanism_, topology_, tables_);
     compile_loads(mechanism_, topology_, tables_);
     index_points();
+    settle_idle_turns();
     return std::move(tables_);
   }
 
@@ -185,6 +187,61 @@ class TableCompiler {
       tables_.chain_index_turn.push_back(tables_.find_turn_index(row.turn));
       tables_.chain_index_slide.push_back(tables_.find_slide_index(row.slide));
     }
+  }
+
+  // A turn that nothing has inertia about and nothing acts on has the equation 0 = 0, as a point mass has that turns on
+  // a pin at its centre. Its rate stays what it is, whatever inertia stands there; it carries no energy.
+  void settle_idle_turns() {
+    double moment = 0.0;  // [kg m^2] of the size of the mechanism's
+    double size = 0.0;    // [m]
+    for (const Body& body : mechanism_.bodies) {
+      double reach = norm(body.center_of_mass);
+      for (const Point& point : body.points) reach = std::max(reach, norm(point.position));
+      moment += body.mass * reach * reach + body.inertia;
+      size = std::max(size, reach);
+    }
+    for (int turn = 0; turn < topology_.counts.n_free_turns; ++turn) {
+      const int index = tables_.find_turn_index(turn);
+      if (is_idle(turn, moment, size)) tables_.constant_values[find_slot(index, index)] = moment > 0.0 ? moment : 1.0;
+    }
+  }
+
+  // Rounding of a centre of mass that lies on a pin counts as nothing.
+  [[nodiscard]] bool is_idle(int turn, double moment, double size) const {
+    constexpr double kNoMoment = 1e-20;  // the square of
+    constexpr double kNoArm = 1e-10;
+    if (tables_.turn_inertia[turn] > kNoMoment * moment) return false;
+    const auto couples = [&](int first, int second, double dot, double cross) {
+      return (first == turn || second == turn) && std::max(std::abs(dot), std::abs(cross)) > kNoArm * moment;
+    };
+    const auto turns_with = [&](const TurnCouple& couple) {
+      return couple.first_turn == turn || couple.second_turn == turn;
+    };
+    const LoadTables& loads = tables_.loads;
+    return std::ranges::none_of(tables_.turn_pairs,
+                                [&](const TurnPair& p) { return couples(p.turn_i, p.turn_j, p.dot, p.cross); }) &&
+           std::ranges::none_of(tables_.slide_pairs,
+                                [&](const SlidePair& p) {
+                                  return (p.turn_i == turn || p.turn_j == turn) &&
+                                         std::max(std::abs(p.dot), std::abs(p.cross)) > 0.0;
+                                }) &&
+           std::ranges::none_of(tables_.torques, [&](const TurnTorque& torque) { return torque.turn == turn; }) &&
+           std::ranges::none_of(tables_.closure_terms, [&](const ClosureTerm& term) { return term.turn == turn; }) &&
+           std::ranges::none_of(tables_.closures,
+                                [&](const ClosureRows& rows) {
+                                  return rows.line_turn == turn || rows.angle_turn[0] == turn ||
+                                         rows.angle_turn[1] == turn;
+                                }) &&
+           std::ranges::none_of(
+               tables_.points.rows(),
+               [&](const PointChain::Row& row) { return row.turn == turn && norm(row.vector) > kNoArm * size; }) &&
+           std::ranges::none_of(
+               tables_.contacts,
+               [&](const Contact& contact) { return contact.bearing_turn == turn || contact.journal_turn == turn; }) &&
+           std::ranges::none_of(loads.torques, [&](const TorqueLoad& load) { return turns_with(load.couple); }) &&
+           std::ranges::none_of(loads.torsions, [&](const TorsionLoad& load) { return turns_with(load.couple); }) &&
+           std::ranges::none_of(loads.bushings,
+                                [&](const BushingLoad& load) { return turns_with(load.torsion.couple); });
   }
 
   const Mechanism& mechanism_;
