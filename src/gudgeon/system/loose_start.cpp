@@ -13,6 +13,7 @@
 
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/system/compile_contacts.h"
+#include "gudgeon/system/resting_start.h"
 #include "gudgeon/system/start_loads.h"
 #include "gudgeon/system/topology.h"
 
@@ -125,14 +126,16 @@ class StartCheck {
     const RelativeMotion motion = find_motion(kind, find_local(kind.journal));
     const double eccentricity = norm(motion.offset);
     if (eccentricity <= kind.radial_clearance * (1.0 + kTouching)) return;
-    report(joint, fmt::format("its journal starts {:.6g} mm off the middle of its bearing, and radial_clearance is "
-                              "{:.6g} mm",
-                              1e3 * eccentricity, 1e3 * kind.radial_clearance));
+    report(overlaps, joint,
+           fmt::format("its journal starts {:.6g} mm off the middle of its bearing, and radial_clearance is "
+                       "{:.6g} mm",
+                       1e3 * eccentricity, 1e3 * kind.radial_clearance));
   }
   void check(const Joint& joint, const PrismaticClearance& kind) { check_slot(joint, kind, "a corner of its block"); }
   void check(const Joint& joint, const PinInSlotClearance& kind) { check_slot(joint, kind, "its pin"); }
 
-  Diagnostics diagnostics;
+  Diagnostics overlaps;  // journals inside a surface
+  Diagnostics overruns;  // and past the end of a slot
 
  private:
   // The deepest circle is told, and the one farthest past an end.
@@ -146,19 +149,21 @@ class StartCheck {
       farthest = std::max(farthest, std::abs(gap.bearing_position) - 0.5 * kind.bearing_length);
     }
     if (deepest > kTouching * kind.clearance) {
-      report(joint, fmt::format("{} starts {:.6g} mm inside a side of its slot, and clearance is {:.6g} mm", journal,
-                                1e3 * deepest, 1e3 * kind.clearance));
+      report(overlaps, joint,
+             fmt::format("{} starts {:.6g} mm inside a side of its slot, and clearance is {:.6g} mm", journal,
+                         1e3 * deepest, 1e3 * kind.clearance));
     }
     if (farthest > kTouching * kind.bearing_length) {
-      report(joint, fmt::format("{} starts {:.6g} mm past the end of its slot, and bearing_length is {:.6g} mm",
-                                journal, 1e3 * farthest, 1e3 * kind.bearing_length));
+      report(overruns, joint,
+             fmt::format("{} starts {:.6g} mm past the end of its slot, and bearing_length is {:.6g} mm", journal,
+                         1e3 * farthest, 1e3 * kind.bearing_length));
     }
   }
 
-  void report(const Joint& joint, const std::string& what) {
+  static void report(Diagnostics& diagnostics, const Joint& joint, const std::string& what) {
     diagnostics.error("E-MODEL-074", "joints." + joint.name, fmt::format("joint '{}': {}", joint.name, what),
                       {"change the start of the bodies it connects; journals that are loose start in the middle when "
-                       "no start is given"});
+                       "no start is given, and may press no deeper than their load presses them"});
   }
 
   Vec2 find_local(const Anchor& anchor) const {
@@ -179,14 +184,27 @@ class StartCheck {
 
 }  // namespace
 
+bool lies_within_play(const Mechanism& mechanism, const Assembly& assembly) {
+  StartCheck start(mechanism, assembly);
+  for (const Joint& joint : mechanism.joints) {
+    std::visit([&](const auto& kind) { start.check(joint, kind); }, joint.kind);
+  }
+  return !start.overlaps.has_errors() && !start.overruns.has_errors();
+}
+
 void require_clear_start(const Mechanism& mechanism, const Assembly& assembly) {
   StartCheck start(mechanism, assembly);
   for (const Joint& joint : mechanism.joints) {
     std::visit([&](const auto& kind) { start.check(joint, kind); }, joint.kind);
   }
-  check_springs(mechanism, assembly, start.diagnostics);
-  check_start_loads(mechanism, assembly, start.diagnostics);
-  if (start.diagnostics.has_errors()) throw ModelError(start.diagnostics);
+  Diagnostics diagnostics = start.overruns;
+  check_springs(mechanism, assembly, diagnostics);
+  check_start_loads(mechanism, assembly, diagnostics);
+  if (start.overlaps.has_errors()) {
+    const System system = compile(mechanism, assembly);
+    if (!rests_on_contacts(system, make_state(system, assembly))) diagnostics.append(start.overlaps);
+  }
+  if (diagnostics.has_errors()) throw ModelError(diagnostics);
 }
 
 }  // namespace gudgeon

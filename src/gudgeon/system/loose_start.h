@@ -13,8 +13,11 @@ namespace gudgeon {
 /// tie to the frame; of several that they tie to each other the first one's place counts.
 void place_loose_bodies(const Mechanism& mechanism, Assembly& assembly);
 
-/// Throws ModelError when a journal starts beyond the surface of its bearing, a spring starts without length or a load
-/// without a finite value, naming every such joint and load.
+/// Whether every journal lies inside its bearing or slot, surfaces that just touch among them.
+bool lies_within_play(const Mechanism& mechanism, const Assembly& assembly);
+
+/// Throws ModelError when a journal starts beyond the surface of its bearing, deeper than it would rest there, a spring
+/// starts without length or a load without a finite value, naming every such joint and load.
 void require_clear_start(const Mechanism& mechanism, const Assembly& assembly);
 
 }  // namespace gudgeon
