@@ -4,6 +4,7 @@
 // Assembly: from guessed to exact positions and velocities of all bodies, with every joint closed.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,12 +40,22 @@ struct Assembly {
   std::vector<int> held_bodies;       ///< whose given angle was no guess: joints, drivers or a tied body say another
 };
 
-/// Places every body at the given time, clearance joints as if they were ideal. Bodies keep the angles and
-/// displacements guessed for them as nearly as the joints and drivers permit; a body that only clearance joints hold is
-/// then moved to the start position and velocity given for it.
-/// Loops fold to the side that their joint's branch asks for.
+/// Places every body at the given time. Angles, displacements and places that joints and drivers leave free are taken
+/// exactly, the first ones given where there are more; those that loops determine are guesses, and choose the branch
+/// where no joint asks for one. Rates are taken exactly.
+/// Journals start in the middle of their bearings, but for what is given: a body that only clearance joints hold starts
+/// where and as fast as it is given; given rates may move a journal within its play; and where the mechanism closes
+/// only thanks to its clearance, journals are as little off centre, in shares of their clearances, as can be.
 /// Throws ModelError when the joints cannot be closed, naming the joint and its gap, when a branch cannot be had, or
-/// when start speeds conflict.
+/// when start rates conflict.
 Assembly assemble(const Mechanism& mechanism, double time = 0.0);
+
+/// The ideal mechanism's start, made for comparison: bodies that clearance leaves loose are where their journals are in
+/// the middle. None when the joints do not close without clearance, or given rates need it.
+std::optional<Assembly> assemble_ideal(const Mechanism& mechanism);
+
+/// Every way to assemble the ideal mechanism whose bodies are given as free as they are in assemble(), the branches
+/// that joints ask for left aside. None at all when loops have degrees of freedom left, for then there is no counting.
+std::optional<std::vector<Assembly>> find_all_assemblies(const Mechanism& mechanism);
 
 }  // namespace gudgeon

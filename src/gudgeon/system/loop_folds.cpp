@@ -34,15 +34,33 @@ FoldAngle find_turn(Vec2 first, Vec2 second) {
 
 }  // namespace
 
-LoopFolds::LoopFolds(const Mechanism& mechanism, const Topology& topology, const Tables& tables)
+LoopFolds::LoopFolds(const Mechanism& mechanism, const Topology& topology, const Tables& tables,
+                     const std::vector<int>& known_coordinates)
     : mechanism_(&mechanism), topology_(&topology), tables_(&tables) {
   for (const ClosureTerm& term : tables.closure_terms) size_ = std::max(size_, norm(term.vector));
   std::vector<bool> known(tables.counts.n_free(), false);
+  for (const int coordinate : known_coordinates) known[coordinate] = true;
   std::vector<int> left(tables.closures.size());
   std::iota(left.begin(), left.end(), 0);
   while (take_angle(left, known) || take_dyad(left, known) || take_pair(left, known)) {
   }
-  for (const int c : left) add_plain(c);
+  add_rest(left, known);
+}
+
+// What is no group of one or two loops counts as one that closes together.
+void LoopFolds::add_rest(const std::vector<int>& left, const std::vector<bool>& known) {
+  if (left.empty()) return;
+  LoopGroup rest{left, {}, -1, false};
+  int n_rows = 0;
+  for (const int c : left) {
+    add_plain(c);
+    n_rows += count_rows(tables_->closures[c].kind);
+    for (const int coordinate : list_open(c, known)) {
+      if (std::ranges::find(rest.unknowns, coordinate) == rest.unknowns.end()) rest.unknowns.push_back(coordinate);
+    }
+  }
+  rest.is_determined = rest.unknowns.size() <= static_cast<std::size_t>(n_rows);
+  groups_.push_back(rest);
 }
 
 std::vector<LoopFold> LoopFolds::list_by_closure() const {
@@ -69,6 +87,7 @@ bool LoopFolds::take_angle(std::vector<int>& left, std::vector<bool>& known) {
     const std::vector<int> open = list_open(c, known);
     if (open.size() > 1) continue;
     for (const int coordinate : open) known[coordinate] = true;
+    groups_.push_back({{c}, open, -1, true});
     std::erase(left, c);
     return true;
   }
@@ -84,6 +103,7 @@ bool LoopFolds::take_dyad(std::vector<int>& left, std::vector<bool>& known) {
     if (open.size() != (is_line ? 1u : 2u)) continue;
     for (const int coordinate : open) known[coordinate] = true;
     folds_.push_back({c, true, open[0], is_line ? -1 : open[1]});
+    groups_.push_back({{c}, open, static_cast<int>(folds_.size()) - 1, true});
     std::erase(left, c);
     return true;
   }
@@ -103,6 +123,7 @@ bool LoopFolds::take_pair(std::vector<int>& left, std::vector<bool>& known) {
       if (open.size() != static_cast<std::size_t>(n_rows)) continue;
       for (const int coordinate : open) known[coordinate] = true;
       for (const int c : {one, other}) add_plain(c);
+      groups_.push_back({{one, other}, open, -1, true});
       std::erase_if(left, [&, one, other](int c) { return c == one || c == other; });
       return true;
     }

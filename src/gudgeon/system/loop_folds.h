@@ -29,11 +29,24 @@ struct FoldAngle {
   double cosine = 0.0;
 };
 
+/// Closures that together determine unknowns, once those of the groups before it are known: of a driver between two
+/// bodies, a dyad, or a group of a higher class.
+struct LoopGroup {
+  std::vector<int> closures;
+  std::vector<int> unknowns;   ///< free coordinates
+  int dyad = -1;               ///< index into folds(), -1 for any other group
+  bool is_determined = false;  ///< as many rows as unknowns, or more
+};
+
 /// Finds folds; keeps references to what it was made of.
 class LoopFolds {
  public:
-  LoopFolds(const Mechanism& mechanism, const Topology& topology, const Tables& tables);
+  /// Coordinates may be known beforehand.
+  LoopFolds(const Mechanism& mechanism, const Topology& topology, const Tables& tables,
+            const std::vector<int>& known_coordinates = {});
 
+  /// In an order in which they can be closed.
+  [[nodiscard]] const std::vector<LoopGroup>& groups() const { return groups_; }
   /// One a closure by a joint, in the order in which they can be closed; those for which none is known come last.
   [[nodiscard]] const std::vector<LoopFold>& folds() const { return folds_; }
   /// The same in the order of the closures.
@@ -55,6 +68,7 @@ class LoopFolds {
   bool take_dyad(std::vector<int>& left, std::vector<bool>& known);
   bool take_pair(std::vector<int>& left, std::vector<bool>& known);
   void add_plain(int closure);
+  void add_rest(const std::vector<int>& left, const std::vector<bool>& known);
   [[nodiscard]] std::vector<int> list_open(int closure, const std::vector<bool>& known) const;
   [[nodiscard]] std::vector<int> list_unknowns(const ClosureRows& rows) const;
   [[nodiscard]] std::vector<int> find_walk(int joint) const;
@@ -68,6 +82,7 @@ class LoopFolds {
   const Topology* topology_;
   const Tables* tables_;
   std::vector<LoopFold> folds_;
+  std::vector<LoopGroup> groups_;
   double size_ = 0.0;  // longest vector of any closure [m]
 };
 
