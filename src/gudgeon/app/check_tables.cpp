@@ -45,7 +45,6 @@ std::string render_counts(const Mechanism& mechanism, const Mobility& mobility, 
   std::string text = table.render(color);
   for (const std::string& constraint : mobility.redundant_constraints)
     text += fmt::format("  redundant: {}\n", constraint);
-  if (mobility.singular_start) text += "  the start position is singular: it has a lower rank than its neighbours\n";
   return text;
 }
 

@@ -22,7 +22,7 @@
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/safe_file.h"
 #include "gudgeon/system/assembly.h"
-#include "gudgeon/system/loose_start.h"
+#include "gudgeon/system/start_check.h"
 
 namespace gudgeon {
 namespace {
@@ -99,7 +99,7 @@ void require_all_sound(const std::vector<CaseRun>& cases) {
       text = render(one.model.diagnostics, one.model.source);
     } else {
       try {
-        require_clear_start(one.model.mechanism, assemble(one.model.mechanism));
+        require_start(one.model.mechanism, assemble(one.model.mechanism));
       } catch (const ModelError& error) {
         text = render(error.diagnostics(), one.model.source);
       }

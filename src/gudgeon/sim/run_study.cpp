@@ -13,8 +13,7 @@
 #include "gudgeon/model/cycle_time.h"
 #include "gudgeon/sim/stage_run.h"
 #include "gudgeon/system/assembly.h"
-#include "gudgeon/system/loose_start.h"
-#include "gudgeon/system/mobility.h"
+#include "gudgeon/system/start_check.h"
 
 namespace gudgeon {
 
@@ -68,19 +67,23 @@ class StudyRunner {
         hooks_(hooks),
         finished_(std::move(finished)),
         assembly_(assemble(mechanism)),
+        ideal_assembly_(assembly_),
         cycle_time_(find_cycle_time(mechanism, study)),
         has_clearance_(std::ranges::any_of(mechanism.joints, [](const Joint& j) { return has_clearance(j.kind); })),
-        n_stages_(has_clearance_ ? (study.compare_ideal ? 1 : 0) + 1 + study.wear_stages : 1) {}
+        runs_ideal_(!has_clearance_ || (study.compare_ideal && find_ideal_assembly())),
+        n_stages_(has_clearance_ ? (runs_ideal_ ? 1 : 0) + 1 + study.wear_stages : 1) {}
 
   std::vector<StageRecord> run() {
     // A mechanism without clearance is its own ideal.
-    if (study_.compare_ideal || !has_clearance_) {
-      if (!run_stage(compile(make_ideal(mechanism_), assembly_), "ideal")) return std::move(stages_);
+    if (runs_ideal_) {
+      if (!run_stage(compile(make_ideal(mechanism_), ideal_assembly_), ideal_assembly_, "ideal")) {
+        return std::move(stages_);
+      }
     }
     if (!has_clearance_) return std::move(stages_);
     System system = compile(mechanism_, assembly_);
     for (int wear_updates = 0; wear_updates <= study_.wear_stages; ++wear_updates) {
-      if (!run_stage(system, stage_name(wear_updates))) break;
+      if (!run_stage(system, assembly_, stage_name(wear_updates))) break;
       if (wear_updates == study_.wear_stages) break;
       if (const std::string worn_through = find_worn_through(stages_.back()); !worn_through.empty()) {
         fail_stage(stage_name(wear_updates + 1), worn_through);
@@ -92,8 +95,15 @@ class StudyRunner {
   }
 
  private:
-  // Every stage starts from the assembled position, journals in the middle of their bearings.
-  bool run_stage(const System& system, const std::string& name) {
+  // What closes only thanks to its clearance, or starts as only clearance permits, has no ideal to compare with.
+  bool find_ideal_assembly() {
+    const auto ideal = assemble_ideal(mechanism_);
+    if (ideal) ideal_assembly_ = *ideal;
+    return ideal.has_value();
+  }
+
+  // Every stage starts from the assembled position.
+  bool run_stage(const System& system, const Assembly& assembly, const std::string& name) {
     const int index = static_cast<int>(stages_.size());
     if (stages_.size() < finished_.size() && finished_[stages_.size()].name == name) {
       stages_.push_back(std::move(finished_[stages_.size()]));
@@ -105,7 +115,7 @@ class StudyRunner {
     report(0.0);
     StageRun stage(system, study_, cycle_time_, name);
     if (hooks_.samples) stage.stream(hooks_.samples_per_block, hooks_.samples);
-    stages_.push_back(stage.run(make_state(system, assembly_), hooks_.stop, report));
+    stages_.push_back(stage.run(make_state(system, assembly), hooks_.stop, report));
     if (hooks_.stage_finished) hooks_.stage_finished(stages_.back());
     if (hooks_.samples) drop_samples(stages_.back());
     return stages_.back().status == StageStatus::finished;
@@ -127,27 +137,19 @@ class StudyRunner {
   const RunHooks& hooks_;
   std::vector<StageRecord> finished_;  // by an earlier run, in order
   Assembly assembly_;
+  Assembly ideal_assembly_;
   double cycle_time_;
   bool has_clearance_;
+  bool runs_ideal_;
   int n_stages_;
   std::vector<StageRecord> stages_;
 };
-
-void throw_if_singular(const Mechanism& mechanism) {
-  if (!find_mobility(mechanism).singular_start) return;
-  Diagnostics diagnostics;
-  diagnostics.error("E-MODEL-073", "",
-                    "the mechanism starts in a singular position, where its motion is not determined",
-                    {"start a little beside it: change a start angle or a driver's start"});
-  throw ModelError(diagnostics);
-}
 
 }  // namespace
 
 std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& study, const RunHooks& hooks,
                                    std::vector<StageRecord> finished) {
-  throw_if_singular(mechanism);
-  require_clear_start(mechanism, assemble(mechanism));
+  require_start(mechanism, assemble(mechanism));
   return StudyRunner(mechanism, study, hooks, std::move(finished)).run();
 }
 

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Whether a run can start.
+#pragma once
+
+#include "gudgeon/system/assembly.h"
+
+namespace gudgeon {
+
+/// Throws ModelError when a mechanism cannot be run from an assembled start: a journal beyond its bearing, a spring
+/// without length, a load without value, a singular position, accelerations that nothing determines.
+void require_start(const Mechanism& mechanism, const Assembly& assembly);
+
+}  // namespace gudgeon
