@@ -15,9 +15,11 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<Diagnostic> find_remarks(const Mechanism& mechanism) {
-  const Diagnostics found = remark_held_angles(mechanism, assemble(mechanism));
-  return {found.items().begin(), found.items().end()};
+std::vector<Diagnostic> find_remarks(const Mechanism& mechanism, const std::string& code = "R-MODEL-110") {
+  const Diagnostics found = remark_start(mechanism, assemble(mechanism));
+  std::vector<Diagnostic> remarks(found.items().begin(), found.items().end());
+  std::erase_if(remarks, [&](const Diagnostic& one) { return one.code != code; });
+  return remarks;
 }
 
 TEST(StartRemarks, ABlockInASlotThatARodHoldsKeepsTheSlotsAngle) {
@@ -48,6 +50,11 @@ TEST(StartRemarks, AGuessThatAssemblyImprovesIsNoneOfThem) {
     if (body.start.angle) *body.start.angle += 0.2;
   }
   EXPECT_TRUE(find_remarks(mechanism).empty());
+  const auto found = find_remarks(mechanism, "R-MODEL-111");
+  ASSERT_EQ(found.size(), 1U) << "one for all guesses";
+  EXPECT_THAT(found[0].message, HasSubstr("deg, and it starts 11.5 deg from there"));
+  ASSERT_EQ(found[0].notes.size(), 4U);
+  EXPECT_EQ(found[0].notes[2], "and 3 more");
 }
 
 TEST(StartRemarks, ADriversAngleIsLeftToItsOwnRemark) {

@@ -14,8 +14,8 @@
 #include "gudgeon/app/text_output.h"
 #include "gudgeon/io/explain.h"
 #include "gudgeon/system/assembly.h"
-#include "gudgeon/system/loose_start.h"
 #include "gudgeon/system/mobility.h"
+#include "gudgeon/system/start_check.h"
 #include "gudgeon/system/start_remarks.h"
 
 namespace gudgeon {
@@ -30,8 +30,9 @@ struct CheckOptions {
 // Adds remarks on the start to those of the model.
 std::string render_model(ModelFile& model) {
   const Assembly assembly = assemble(model.mechanism);
-  require_clear_start(model.mechanism, assembly);
-  model.diagnostics.append(remark_held_angles(model.mechanism, assembly));
+  require_start(model.mechanism, assembly);
+  model.diagnostics.append(remark_start(model.mechanism, assembly));
+  model.diagnostics.append(remark_ideal_start(model.mechanism, model.study));
   const bool color = find_color_wanted();
   return render_counts(model.mechanism, find_mobility(model.mechanism), color) +
          render_start(model.mechanism, assembly, color) + render_loops(assembly, color) +

@@ -19,6 +19,8 @@ namespace {
 
 // Start angles that differ by less are the same number written twice.
 constexpr double kSameAngle = 1e-9;
+// So do displacements, in shares of themselves.
+constexpr double kSameDisplacement = 1e-9;
 // A table that falls short of the run by less, of its duration, ends with it.
 constexpr double kSameDuration = 1e-9;
 // How many moments of the run a motion is tried at: a gap of a thousandth of the run is found.
@@ -75,6 +77,7 @@ class DriverCheck {
   }
 
   void remark_start() {
+    if (const auto* slide = std::get_if<DrivenSlide>(&driver_.target)) remark_start_displacement(*slide);
     const auto* angle = std::get_if<DrivenAngle>(&driver_.target);
     if (angle == nullptr || !start_) return;
     const auto guess = find_guess(angle->body);
@@ -88,6 +91,17 @@ class DriverCheck {
   }
 
  private:
+  void remark_start_displacement(const DrivenSlide& slide) {
+    const auto* guide =
+        std::get_if<Prismatic>(&rules_.mechanism.joints[find_joint(rules_.mechanism, slide.joint)].kind);
+    if (guide == nullptr || !guide->start_displacement || !start_) return;
+    const double given = *guide->start_displacement;
+    if (!(std::abs(given - *start_) > kSameDisplacement * std::max(std::abs(given), std::abs(*start_)))) return;
+    rules_.diagnostics.remark("R-MODEL-107", path_ + (driver_.is_uniform() ? ".start" : ".motion"),
+                              fmt::format("{} starts at {:.6g} mm, joint '{}' at {:.6g} mm; the driver's holds",
+                                          subject_, 1e3 * *start_, slide.joint, 1e3 * given));
+  }
+
   bool check_body(const char* key, const std::string& body) {
     if (find_body(rules_.mechanism, body) >= 0) return true;
     rules_.report_unknown("E-MODEL-040", path_ + key,
