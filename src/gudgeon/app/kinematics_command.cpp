@@ -6,7 +6,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include "gudgeon/app/command_line.h"
@@ -58,8 +62,71 @@ std::string render_places(const Mechanism& mechanism, const Assembly& assembly, 
   return table.render(color);
 }
 
+std::string render_angles(const Mechanism& mechanism, const Assembly& assembly, bool color) {
+  Table table({{"body"}, {"angle (deg)", Alignment::right}});
+  for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
+    table.add_row({mechanism.bodies[b].name, render_fixed(assembly.poses[b].angle / kDegree, 4)});
+  }
+  return table.render(color);
+}
+
+bool is_same_position(const Assembly& one, const Assembly& other) {
+  constexpr double kSame = 1e-4;  // [rad, m] assemblies are further apart, unless they meet
+  for (std::size_t b = 0; b < one.poses.size(); ++b) {
+    if (std::abs(std::remainder(one.poses[b].angle - other.poses[b].angle, 2.0 * std::numbers::pi)) > kSame ||
+        norm(one.poses[b].position - other.poses[b].position) > kSame) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string_view name_side(double fold) {
+  constexpr double kFlat = 1e-6;  // on such a fold two branches meet
+  if (std::abs(fold) < kFlat) return "flat";
+  return fold > 0.0 ? "left" : "right";
+}
+
+std::string name_sides(const Assembly& assembly) {
+  std::string sides;
+  for (const LoopBranch& branch : assembly.branches) {
+    sides += fmt::format("{} joint '{}' {}", sides.empty() ? "" : ",", branch.joint, name_side(branch.fold));
+  }
+  return sides;
+}
+
+// All of them, those with the first joint on the left first.
+std::string render_assemblies(const Mechanism& mechanism, const Assembly& start, std::vector<Assembly> all,
+                              bool color) {
+  const auto find_order = [](const Assembly& one) {
+    std::vector<bool> rights;
+    for (std::size_t k = one.branches.size(); k-- > 0;) rights.push_back(!(one.branches[k].fold > 0.0));
+    return rights;
+  };
+  std::ranges::stable_sort(all, [&](const Assembly& a, const Assembly& b) { return find_order(a) < find_order(b); });
+  std::map<std::string, int> n_alike;
+  for (const Assembly& one : all) ++n_alike[name_sides(one)];
+  std::string text;
+  int n_listed = 0;
+  bool any_alike = false;
+  for (const Assembly& one : all) {
+    const bool is_start = is_same_position(one, start);
+    text +=
+        render_title(fmt::format("Branch {}:{}{}", ++n_listed, name_sides(one), is_start ? " (the model's start)" : ""),
+                     color) +
+        render_places(mechanism, one, color) + render_angles(mechanism, one, color);
+    any_alike = any_alike || n_alike[name_sides(one)] > 1;
+  }
+  if (any_alike) text += "\nWhere branches fold to the same sides, the start angles choose between them.\n";
+  return text;
+}
+
 std::string render_branches(const ModelFile& model, bool color) {
   const Assembly start = assemble(model.mechanism);
+  if (const auto all = find_all_assemblies(model.mechanism); all && !start.branches.empty()) {
+    return render_model_title(model) + name_closed_joints(model.mechanism) +
+           render_assemblies(make_ideal(model.mechanism), start, *all, color);
+  }
   Mechanism mechanism = make_ideal(model.mechanism);
   std::vector<int> joints;
   for (const LoopBranch& branch : start.branches) joints.push_back(find_joint(mechanism, branch.joint));
