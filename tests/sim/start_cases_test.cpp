@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "gudgeon/io/model_reader.h"
 #include "gudgeon/sim/run_study.h"
@@ -46,7 +47,13 @@ TEST(StartCasesRun, ABlockThatRestsOnItsGuideStaysThere) {
   const auto stages = run_study(model.mechanism, model.study);
   ASSERT_EQ(stages.size(), 1U);
   EXPECT_EQ(stages[0].status, StageStatus::finished) << stages[0].message;
-  for (const double y : *find_values(stages[0], "block.y")) EXPECT_NEAR(y, -0.05e-3, 1e-6);
+  // Two corners of 2 mm share the weight: F = K δ^1.5 each, K = 4/(3π · 2σ) √R, σ = (1 − ν²)/(π E).
+  const double sigma = (1.0 - 0.3 * 0.3) / (std::numbers::pi * 207e9);
+  const double stiffness = 4.0 / (3.0 * std::numbers::pi * 2.0 * sigma) * std::sqrt(2e-3);
+  const double depth = std::pow(9.66096405704976 / stiffness, 2.0 / 3.0);
+  const std::vector<double>& y = *find_values(stages[0], "block.y");
+  for (const double at : y) EXPECT_NEAR(at, -0.05e-3 - depth, 1.01 * depth) << "sinks in, and settles";
+  EXPECT_NEAR(y.back(), -0.05e-3 - depth, 0.01 * depth) << "friction's moment moves a tenth from corner to corner";
 }
 
 TEST(StartCasesRun, WhatClosesByItsClearanceRuns) {

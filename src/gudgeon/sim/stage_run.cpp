@@ -97,7 +97,6 @@ void StageRun::begin(const State& start) {
                            : "the start position is singular: accelerations are not determined");
     return;
   }
-  initial_energies_ = recorder_.find_energies(motion_.equations().workspace);
   std::string inside;
   for (std::size_t k = 0; k < motion_.gaps().size(); ++k) {
     const double penetration = motion_.gaps()[k].penetration;
@@ -107,9 +106,27 @@ void StageRun::begin(const State& start) {
                           inside.empty() ? "" : "; ", joint.name, 1e6 * penetration);
   }
   if (!inside.empty() && !rests_on_contacts(system_, start)) fail("E-NUM-002", inside);
+  if (record_.status == StageStatus::finished) close_touching();
+  initial_energies_ = recorder_.find_energies(motion_.equations().workspace);
   if (warm_up_end_ > 0.0) return;
   sample_until(0.0);
   recorder_.watch(0.0, motion_.equations().workspace, motion_.gaps());
+}
+
+// Contacts whose surfaces touch or overlap at the start, and do not part, are made from the first moment on.
+void StageRun::close_touching() {
+  MotionEquations& equations = motion_.equations();
+  bool any = false;
+  for (std::size_t k = 0; k < motion_.gaps().size(); ++k) {
+    const GapState& gap = motion_.gaps()[k];
+    if (!(gap.penetration > 0.0) || gap.penetration_rate < 0.0) continue;
+    open_contact(k);
+    equations.latches[k] = {true, gap.penetration_rate};
+    any = true;
+  }
+  if (!any) return;
+  motion_.evaluate_again();
+  equations.initial_energy = equations.find_energy();
 }
 
 void StageRun::take_step(double step_start) {
@@ -151,8 +168,13 @@ void StageRun::note_contact_change(std::size_t k) {
   const MotionEquations& equations = motion_.equations();
   if (equations.latches[k].in_contact) {
     history_.end(k, motion_.time());
-    return;
+  } else {
+    open_contact(k);
   }
+}
+
+void StageRun::open_contact(std::size_t k) {
+  const MotionEquations& equations = motion_.equations();
   const Contact& contact = system_.tables.contacts[k];
   const RelativeMotion at = find_contact_motion(contact, equations.workspace);
   const ContactGap gap = find_gap(contact.surfaces, at);

@@ -31,6 +31,8 @@ class StageRun {
   void begin(const State& start);
   void take_step(double step_start);
   void deposit_wear();
+  void close_touching();
+  void open_contact(std::size_t contact);
   void note_contact_change(std::size_t contact);
   void stop_outside_slots();
   void sample_until(double time);
