@@ -29,6 +29,25 @@ TEST(LineProfile, UnwornIsZeroEverywhere) {
   }
 }
 
+// Anywhere along the side and beyond, however the run lies among the regions.
+TEST(LineProfile, LeastDepthOfARunIsABound) {
+  std::vector<double> depths;
+  for (int k = 0; k < 23; ++k) depths.push_back(1e-6 * ((7 * k) % 23 + 1));
+  const LineProfile profile(depths, kLength);
+  for (double from = -0.4; from < 0.4; from += 0.0071) {
+    for (double to = from; to < 0.45; to += 0.013) {
+      double least = profile.eval(to).depth;
+      for (double at = from; at < to; at += 0.001) least = std::min(least, profile.eval(at).depth);
+      const double bound = profile.least_depth(from, to);
+      ASSERT_LE(bound, least * (1.0 + 1e-15)) << from << ' ' << to;
+      ASSERT_GE(bound, profile.least_depth());
+    }
+  }
+  EXPECT_EQ(profile.least_depth(-1e9, 1e9), profile.least_depth());
+  EXPECT_GT(profile.least_depth(-0.02, 0.02), profile.least_depth()) << "not that of all";
+  EXPECT_EQ(LineProfile().least_depth(-0.1, 0.1), 0.0);
+}
+
 TEST(LineProfile, UniformDepthIsReproducedAlsoBeyondTheEnds) {
   for (const std::size_t n : {4U, 37U, 1000U}) {
     const LineProfile profile(std::vector<double>(n, 7e-6), kLength);

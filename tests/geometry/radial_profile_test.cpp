@@ -40,6 +40,29 @@ TEST(RadialProfile, UnwornIsZeroEverywhere) {
   }
 }
 
+// Over any run, also across the seam, of more than a turn, and of angles of many turns.
+TEST(RadialProfile, LeastDepthOfARunIsABound) {
+  const RadialProfile profile(make_random_depths(29, 5));
+  for (double from = -14.0; from < 14.0; from += 0.173) {
+    for (double to = from; to < from + 7.0; to += 0.31) {
+      double least = profile.eval(to).depth;
+      for (double at = from; at < to; at += 0.02) least = std::min(least, profile.eval(at).depth);
+      const double bound = profile.least_depth(from, to);
+      ASSERT_LE(bound, least * (1.0 + 1e-15)) << from << ' ' << to;
+      ASSERT_GE(bound, profile.least_depth());
+    }
+  }
+  EXPECT_EQ(profile.least_depth(0.0, 1e300), profile.least_depth());
+  EXPECT_EQ(RadialProfile().least_depth(0.0, 1.0), 0.0);
+  // One region below the others counts for what it reaches, two regions to either side.
+  std::vector<double> depths(100, 2e-6);
+  depths[40] = 1e-6;
+  const RadialProfile lone(depths);
+  EXPECT_EQ(lone.least_depth(find_center(38, 100) - 0.2, find_center(38, 100) - 1e-9), 2e-6);
+  EXPECT_EQ(lone.least_depth(find_center(38, 100) + 1e-9, find_center(39, 100)), 1e-6);
+  EXPECT_EQ(lone.least_depth(find_center(42, 100) + 1e-9, find_center(45, 100)), 2e-6);
+}
+
 TEST(RadialProfile, UniformDepthIsReproduced) {
   for (const std::size_t n : {4u, 37u, 1000u}) {
     const RadialProfile profile(std::vector<double>(n, 7e-6));

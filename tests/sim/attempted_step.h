@@ -14,6 +14,21 @@
 
 namespace gudgeon {
 
+/// A step that counts how often its dense output is asked for.
+class CountedStep final : public DenseStep {
+ public:
+  explicit CountedStep(const DenseStep& step) : DenseStep(step), step_(step) {}
+  void interpolate(double share, std::size_t n_wanted, double* y) const noexcept override {
+    ++n_looks;
+    step_.interpolate(share, n_wanted, y);
+  }
+
+  mutable int n_looks = 0;
+
+ private:
+  const DenseStep& step_;
+};
+
 /// One attempted step of a mechanism from its start, and what the events make of it.
 class Attempt {
  public:
@@ -39,7 +54,10 @@ class Attempt {
     stepper.attempt(h, [&](int, double t, const double* at, double* dydt) { equations.eval(t, at, dydt); });
     events.find_gaps(equations.workspace, end);
     Workspace scratch(system.tables);
-    return events.find_first_change(stepper, equations.latches, start, end, scratch);
+    const CountedStep step(stepper);
+    const auto change = events.find_first_change(step, equations.latches, start, end, scratch);
+    n_looks = step.n_looks;
+    return change;
   }
 
   Assembly assembly;
@@ -47,6 +65,7 @@ class Attempt {
   MotionEquations equations;
   std::vector<GapState> start;
   std::vector<GapState> end;
+  int n_looks = 0;  // into the step
 };
 
 }  // namespace gudgeon

@@ -188,6 +188,30 @@ TEST_F(WornBall, RidgePassedWithinTheStepIsSeen) {
   }
 }
 
+// However many regions pass, only where the surfaces come near each other are they looked at one by one.
+TEST_F(WornBall, ARidgeAmongManyMoreRegionsIsFoundByFewLooks) {
+  for (const std::size_t finer : {1U, 10U, 100U, 1000U}) {
+    std::vector<double> depths(finer * kRegions, kDepth);
+    const std::size_t region = 97 * finer;
+    depths[region] = 0.0;
+    Attempt attempt(make_ball(0.5));
+    set_surfaces(attempt.system, 0, {}, depths);
+    const double h = 0.25 * 2.0 * std::numbers::pi / -kSpin;
+    const auto change = attempt.find_change(h);
+    ASSERT_TRUE(change) << finer;
+    const double angle = -kSpin * change->share * h;
+    EXPECT_NEAR(angle * static_cast<double>(depths.size()) / (2.0 * std::numbers::pi),
+                static_cast<double>(region) + 0.5, 1.5);
+    EXPECT_LT(attempt.n_looks, 250) << finer;
+    // Nor over a pocket wherein the ball does not come near anything.
+    std::ranges::fill(depths, kDepth);
+    depths[depths.size() / 2] = 0.0;
+    set_surfaces(attempt.system, 0, {}, depths);
+    EXPECT_FALSE(attempt.find_change(h));
+    EXPECT_LT(attempt.n_looks, 20) << finer;
+  }
+}
+
 TEST_F(WornBall, RidgeThatIsTooLowIsNotTouched) {
   Attempt attempt(make_ball(0.33));
   set_surfaces(attempt.system, 0, {}, make_ridge(97));

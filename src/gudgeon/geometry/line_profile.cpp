@@ -23,6 +23,18 @@ LineProfile::LineProfile(std::vector<double> region_depths, double length) : dep
   padded_ = {depths_[1], depths_[0]};
   padded_.insert(padded_.end(), depths_.begin(), depths_.end());
   padded_.insert(padded_.end(), {depths_[n - 1], depths_[n - 2]});
+  minima_ = RangeMinimum(depths_);
+}
+
+double LineProfile::least_depth(double from, double to) const noexcept {
+  if (!worn_) return 0.0;
+  // The depths that the curve between the positions is made of; beyond an end they are those within.
+  const double n = static_cast<double>(depths_.size());
+  const double first = std::floor(from * regions_per_meter_ + 0.5 * n - 0.5) - 1.0;
+  const double end = std::floor(to * regions_per_meter_ + 0.5 * n - 0.5) + 3.0;
+  if (!(first > -n && end < 2.0 * n)) return least_depth_;
+  return minima_.find(static_cast<std::size_t>(std::clamp(first, 0.0, n - 2.0)),
+                      static_cast<std::size_t>(std::clamp(end, 2.0, n)));
 }
 
 LineProfile::Value LineProfile::eval(double position) const noexcept {

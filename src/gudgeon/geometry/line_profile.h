@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "gudgeon/geometry/range_minimum.h"
+
 namespace gudgeon {
 
 /// h(s) = Σ h_k B₃(s/Δ − k − ½), the uniform cubic B-spline of the region depths, mirrored at both ends of the side.
@@ -30,6 +32,8 @@ class LineProfile {
 
   /// No depth is less than this [m].
   [[nodiscard]] double least_depth() const { return least_depth_; }
+  /// No depth between two positions [m], from <= to, is less than this [m].
+  [[nodiscard]] double least_depth(double from, double to) const noexcept;
 
   /// Depth and slope at a position [m] from the middle of the side.
   [[nodiscard]] Value eval(double position) const noexcept;
@@ -39,6 +43,7 @@ class LineProfile {
   std::vector<double> padded_;  // depths with both ends mirrored, so that four in a row always exist
   double regions_per_meter_ = 0.0;
   double least_depth_ = 0.0;
+  RangeMinimum minima_;  // of the depths
   bool worn_ = false;
 };
 

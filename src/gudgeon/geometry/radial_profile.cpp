@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -23,6 +24,21 @@ RadialProfile::RadialProfile(std::vector<double> region_depths) : depths_(std::m
   padded_.push_back(depths_.back());
   padded_.insert(padded_.end(), depths_.begin(), depths_.end());
   padded_.insert(padded_.end(), {depths_[0], depths_[1], depths_[2]});
+  minima_ = RangeMinimum(depths_);
+}
+
+double RadialProfile::least_depth(double from, double to) const noexcept {
+  if (!worn_) return 0.0;
+  // The depths that the curve between the angles is made of.
+  const double n = static_cast<double>(depths_.size());
+  double first = std::floor(from * regions_per_radian_ - 0.5) - 1.0;
+  const double count = std::floor(to * regions_per_radian_ - 0.5) + 3.0 - first;
+  if (!(count < n)) return least_depth_;
+  first -= n * std::floor(first * per_region_);
+  const auto begin = static_cast<std::size_t>(std::clamp(first, 0.0, n - 1.0));
+  const auto end = begin + static_cast<std::size_t>(count);
+  if (end <= depths_.size()) return minima_.find(begin, end);
+  return std::min(minima_.find(begin, depths_.size()), minima_.find(0, end - depths_.size()));
 }
 
 RadialProfile::Value RadialProfile::eval(double angle) const noexcept {

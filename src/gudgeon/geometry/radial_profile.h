@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "gudgeon/geometry/range_minimum.h"
+
 namespace gudgeon {
 
 /// h(φ) = Σ h_k B₃(φ/Δ − k − ½), the periodic uniform cubic B-spline whose coefficients are the region depths.
@@ -31,6 +33,8 @@ class RadialProfile {
 
   /// No depth is less than this [m].
   [[nodiscard]] double least_depth() const { return least_depth_; }
+  /// No depth between two angles [rad], from <= to, is less than this [m].
+  [[nodiscard]] double least_depth(double from, double to) const noexcept;
 
   /// Depth and slope at an angle [rad] of any size, in the surface's own body.
   [[nodiscard]] Value eval(double angle) const noexcept;
@@ -41,6 +45,7 @@ class RadialProfile {
   double regions_per_radian_ = 0.0;
   double per_region_ = 0.0;  // of a turn
   double least_depth_ = 0.0;
+  RangeMinimum minima_;  // of the depths
   bool worn_ = false;
 };
 

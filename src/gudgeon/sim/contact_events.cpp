@@ -10,14 +10,18 @@
 #include <limits>
 #include <numbers>
 
+#include "gudgeon/sim/worn_flight.h"
+
 namespace gudgeon {
 
 namespace {
 
 // Parts of a step that are looked at one by one once a hidden crossing is possible: at least so many, and on worn
-// surfaces, whose gap may change from region to region, so many for each region passed.
+// surfaces, whose gap may change from region to region, so many for each region passed, of which those are left out
+// in which it cannot close.
 constexpr int kParts = 8;
 constexpr double kPartsPerRegion = 2.0;
+constexpr double kMostParts = 1e6;
 // A cubic through the ends of a step may miss the true gap by this share of how far the gap could move in it.
 constexpr double kMargin = 0.1;
 // Shares of a step are found to so many bits: where surfaces graze, what is lost here is magnified.
@@ -151,7 +155,15 @@ std::optional<double> ContactEvents::find_crossing(std::size_t contact, double s
   double before = 0.0;
   double value_before = sign * start.penetration;
   double rate_before = sign * start.penetration_rate;
+  const bool over_regions = sign > 0.0 && n_parts > kParts;
   for (int part = 1; part <= n_parts; ++part) {
+    if (over_regions) {
+      const int clear = find_clear_part(contact, limit, n_parts, part - 1, step, workspace);
+      if (clear == n_parts) break;
+      before = limit * clear / n_parts;
+      rate_before = rate(before);
+      part = clear + 1;
+    }
     const double after = limit * part / n_parts;
     double top = after;
     const GapState there = look(after);
@@ -181,6 +193,32 @@ std::optional<double> ContactEvents::find_crossing(std::size_t contact, double s
   return std::nullopt;
 }
 
+// The part of a flight over worn surfaces behind those from `part` on in which they cannot touch, taken together as
+// many as can be.
+int ContactEvents::find_clear_part(std::size_t contact, double limit, int n_parts, int part, const DenseStep& step,
+                                   Workspace& workspace) {
+  const Contact& at = tables_->contacts[contact];
+  const auto look = [&](int end_of_part) {
+    find_gap_at(limit * end_of_part / n_parts, contact, step, workspace);
+    return find_worn_flight(at.surfaces, find_contact_motion(at, workspace));
+  };
+  WornFlight before = look(part);
+  int stride = n_parts - part;
+  while (part < n_parts && stride > 0) {
+    const int next = std::min(part + stride, n_parts);
+    const WornFlight after = look(next);
+    const double duration = limit * (next - part) / n_parts * step.step();
+    if (find_greatest_penetration(at.surfaces, before, after, duration) < 0.0) {
+      part = next;
+      before = after;
+      stride *= 2;
+    } else {
+      stride = (next - part) / 2;
+    }
+  }
+  return part;
+}
+
 // How closely a step must be looked at; zero when nothing can have happened to the contact inside it.
 int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, const GapState& start,
                                const GapState& end) const {
@@ -206,7 +244,7 @@ int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, c
   if (!closes && !is_near && !may_rise(start.reach, start.reach_rate, end.reach, end.reach_rate)) return 0;
   if (!is_worn(tables_->contacts[contact].surfaces)) return kParts;
   const double passed = h * std::max(start.region_rate, end.region_rate);
-  return std::max(kParts, static_cast<int>(std::min(kPartsPerRegion * passed, 1e5)));
+  return std::max(kParts, static_cast<int>(std::min(kPartsPerRegion * passed, kMostParts)));
 }
 
 std::optional<ContactChange> ContactEvents::find_first_change(const DenseStep& step,

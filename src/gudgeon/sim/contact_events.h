@@ -62,6 +62,8 @@ class ContactEvents {
   GapState find_gap_at(double share, std::size_t contact, const DenseStep& step, Workspace& workspace);
   std::optional<double> find_crossing(std::size_t contact, double sign, double limit, int n_parts,
                                       const GapState& start, const DenseStep& step, Workspace& workspace);
+  int find_clear_part(std::size_t contact, double limit, int n_parts, int part, const DenseStep& step,
+                      Workspace& workspace);
   int count_parts(std::size_t contact, bool in_contact, double h, const GapState& start, const GapState& end) const;
 
   const Tables* tables_;
