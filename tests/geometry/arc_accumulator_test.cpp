@@ -79,6 +79,86 @@ TEST(ArcAccumulator, ConservesWhatIsLaidDown) {
   }
 }
 
+// An arc that moves and grows, at many instants of its movement.
+struct Movement {
+  double angle;
+  double width;
+  double turn;
+  double end_width;
+};
+
+const std::vector<Movement> kMovements{{1.0, 0.3, 0.2, 0.3},    {1.0, 0.3, -2.0, 0.1}, {6.2, 0.02, 0.5, 0.4},
+                                       {0.1, 0.3, -0.4, 0.0},   {3.0, 0.0, 0.0, 1.1},  {-20.0, 0.7, 0.001, 0.69},
+                                       {2.0, 0.5, -1e-13, 0.5}, {5.0, 0.4, 3.1, 0.4}};
+
+TEST(ArcAccumulator, AgreesWithMovementsCountedOut) {
+  constexpr int kInstants = 20000;
+  for (const std::size_t n : {10u, 100u, 1000u}) {
+    for (const Movement& move : kMovements) {
+      ArcAccumulator accumulator(n);
+      accumulator.add_sweep(accumulator.find_sweep(move.angle, move.width, move.turn, move.end_width), 2.0);
+      const std::vector<double> amounts = accumulator.sum();
+      ArcAccumulator counted(n);
+      for (int i = 0; i < kInstants; ++i) {
+        const double part = (i + 0.5) / kInstants;
+        counted.add_arc(move.angle + part * move.turn, move.width + part * (move.end_width - move.width),
+                        2.0 / kInstants);
+      }
+      const std::vector<double> expected = counted.sum();
+      for (std::size_t k = 0; k < n; ++k) {
+        // An end is within a region for an instant more or less; sums of as many parts.
+        EXPECT_NEAR(amounts[k], expected[k], 2.0 * 1.5 / kInstants) << k << " of " << n << ", " << move.turn;
+        EXPECT_GE(amounts[k], -1e-12);
+      }
+    }
+  }
+}
+
+TEST(ArcAccumulator, ConservesWhatMovementsLayDown) {
+  for (const std::size_t n : {100u, 1000u, 100000u}) {
+    ArcAccumulator accumulator(n);
+    double expected = 0.0;
+    for (const Movement& move : kMovements) {
+      for (int k = 0; k < 50; ++k) {
+        accumulator.add_sweep(accumulator.find_sweep(move.angle + k, move.width, move.turn, move.end_width), 1.0 + k);
+        expected += (1.0 + k) * 0.5 * (move.width + move.end_width);
+      }
+    }
+    const std::vector<double> amounts = accumulator.sum();
+    const double held = kTurn / static_cast<double>(n) * std::accumulate(amounts.begin(), amounts.end(), 0.0);
+    EXPECT_NEAR(held, expected, 1e-10 * expected) << n;  // rounding of places among 100 000 regions
+  }
+}
+
+// What lies behind a moving arc has been covered for as long as the arc takes to pass: evenly, whatever the steps.
+TEST(ArcAccumulator, StepsOfAMovementJoinWithoutASeam) {
+  for (const double step : {0.003, 0.03, 0.4}) {
+    ArcAccumulator accumulator(1000);
+    constexpr double kWidth = 0.05;
+    for (double at = 1.0; at < 5.0; at += step) {
+      accumulator.add_sweep(accumulator.find_sweep(at, kWidth, step, kWidth), step / kWidth);
+    }
+    const std::vector<double> amounts = accumulator.sum();
+    const auto region = [](double angle) { return static_cast<std::size_t>(angle * 1000.0 / kTurn); };
+    for (std::size_t k = region(1.04); k < region(4.9); ++k) EXPECT_NEAR(amounts[k], 1.0, 1e-11) << step;
+  }
+}
+
+TEST(ArcAccumulator, MovesParabolas) {
+  constexpr int kInstants = 4000;
+  for (const Movement& move : kMovements) {
+    ArcAccumulator accumulator(50);
+    ArcAccumulator counted(50);
+    accumulator.add_parabola(move.angle, 0.3, 2.0, move.turn);
+    for (int i = 0; i < kInstants; ++i) {
+      counted.add_parabola(move.angle + (i + 0.5) / kInstants * move.turn, 0.3, 2.0 / kInstants);
+    }
+    const std::vector<double> amounts = accumulator.sum();
+    const std::vector<double> expected = counted.sum();
+    for (std::size_t k = 0; k < 50; ++k) EXPECT_NEAR(amounts[k], expected[k], 1e-5) << k << ", " << move.turn;
+  }
+}
+
 // The parabola over fine points of each region and its copies whole turns away.
 void add_parabola_points(const Arc& arc, std::vector<double>& amounts) {
   constexpr int kPoints = 2000;

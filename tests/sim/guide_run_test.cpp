@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <numbers>
 #include <set>
 
 #include "gudgeon/sim/run_study.h"
+#include "tests/oracle/mechanism_parts.h"
 #include "tests/oracle/mechanisms.h"
 
 namespace gudgeon {
@@ -40,6 +42,50 @@ Mechanism make_loose_yoke() {
   mechanism.gravity = {};
   mechanism.drivers.push_back({"motor", DrivenAngle{"crank"}, 0.8, 25.0});
   return mechanism;
+}
+
+// A pin of 10 kg that a carriage drags to and fro in its slot: F = m g, and every cell that it passes n times is worn
+// by h = n k_d F/w, whatever the regions and however long the steps.
+TEST(GuideRun, EveryCellOfASlotIsWornByItsPasses) {
+  Mechanism mechanism = oracle::make_empty("dragged_pin", {0.0, -9.81}, {{"slot", {0.0, 0.0}}});
+  mechanism.bodies.push_back({"carriage", 1.0, 0.1, {}, {{"middle", {0.0, 0.0}}}, {}});
+  mechanism.bodies.push_back({"pin", 10.0, 0.1, {}, {{"middle", {0.0, 0.0}}}, {}});
+  mechanism.joints.push_back({"rail", oracle::make_slide({kFrameName, "slot"}, {"carriage", "middle"}, 0.0, 0.0, 0.0)});
+  mechanism.joints.push_back(
+      {"post", oracle::make_slide({"carriage", "middle"}, {"pin", "middle"}, 0.5 * std::numbers::pi, 0.0, 0.0)});
+  ContactProperties contact;
+  contact.bearing_material = contact.journal_material = {"steel", 200e9, 0.3};
+  contact.normal_force = KelvinVoigt{1e7, 1e5};
+  contact.friction = Frictionless{};
+  contact.bearing_wear = Archard{1e-13};
+  mechanism.joints.push_back(
+      {"slot", PinInSlotClearance{{kFrameName, "slot"}, {"pin", "middle"}, 0.0, 0.3, 8e-3, 5e-5, 0.02, contact}});
+  mechanism.drivers.push_back({"drag", DrivenSlide{"rail"}, 0.0, 0.0, Expression{"0.1 * sin(2 * pi * t)", {}}});
+  for (const int n_regions : {100, 1000, 100000}) {
+    Study study;
+    study.cycle_time = 1.0;
+    study.warm_up_cycles = 1;
+    study.cycles = 2;
+    study.outputs_per_cycle = 10;
+    study.regions = n_regions;
+    study.compare_ideal = false;
+    const auto stages = run_study(mechanism, study);
+    ASSERT_EQ(stages.at(0).status, StageStatus::finished) << stages[0].message;
+    const JointWear& wear = stages[0].wear.at(0);
+    const double expected = 4.0 * 1e-13 * 98.1 / 0.02;
+    const double arc = std::sqrt(98.1 / 1e7 * 2.0 * 8e-3);
+    const double region = 0.3 / n_regions;
+    int n_compared = 0;
+    for (int k = 0; k < n_regions; ++k) {
+      const double position = (k + 0.5) * region - 0.15;
+      EXPECT_EQ(wear.bearing_depth_added[k], 0.0) << "the left side";
+      if (std::abs(position) + 0.5 * region > 0.1 - arc) continue;
+      ++n_compared;
+      EXPECT_NEAR(wear.bearing_depth_added[n_regions + k] / expected, 1.0, 0.02) << position << " of " << n_regions;
+    }
+    EXPECT_GT(n_compared, n_regions / 2);
+    EXPECT_NEAR(wear.removed_volume / (8.0 * 0.1 * 1e-13 * 98.1), 1.0, 1e-4);
+  }
 }
 
 TEST(GuideRun, HasTheSameBitsOnAnyThreadAndAfterAResume) {

@@ -170,7 +170,7 @@ TEST(WearDeposit, LaysNothingNegativeDown) {
   EXPECT_NEAR(wear.sliding_distance, 0.31 * 20 * kDuration, 1e-14);
 }
 
-// Where neither stage with a share presses, the last that does tells the place.
+// Where no other stage presses, the one that does tells the place.
 TEST(WearDeposit, FindsAPlaceForAContactThatEnds) {
   const Contact contact = make_worn_contact();
   WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 1000);

@@ -4,6 +4,7 @@
 // Sums of many arcs laid onto a circumference of equal regions.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -11,9 +12,10 @@
 
 namespace gudgeon {
 
-/// Adds constant amounts over arcs in constant time each: only the two ends of an arc are noted, as first differences;
-/// sum() integrates them. Parabolas are added region by region. A region that an arc covers in part gets that part, so
-/// that what is laid down in all equals mean amount times arc width, to rounding, whatever the number of regions.
+/// Adds constant amounts over arcs, also over such as move and grow: only where an arc's ends are, or pass, are changes
+/// noted, as first differences; sum() integrates them. Parabolas are added region by region. A region that an arc
+/// covers in part, or for part of its movement, gets that part, so that what is laid down in all equals mean amount
+/// times arc width, to rounding, whatever the number of regions.
 class ArcAccumulator {
  public:
   explicit ArcAccumulator(std::size_t n_regions)
@@ -21,51 +23,62 @@ class ArcAccumulator {
         region_amounts_(n_regions, 0.0),
         regions_per_radian_(static_cast<double>(n_regions) / (2.0 * std::numbers::pi)) {}
 
-  /// Where an arc begins and ends among the regions.
-  struct Arc {
-    std::size_t first = 0;    ///< region that holds its beginning
-    std::size_t last = 0;     ///< and its end
-    double first_part = 0.0;  ///< how much of that region lies before the beginning [1]
-    double last_part = 0.0;
-    bool over_seam = false;  ///< it runs over the seam: one full pass begins again at region 0
+  /// What the two ends of a moving arc pass at an even speed, in regions from the seam on.
+  struct Sweep {
+    double rear_from = 0.0;
+    double rear_to = 0.0;
+    double front_from = 0.0;
+    double front_to = 0.0;
   };
 
-  /// The arc of that width [rad] <= 2π centred at `angle` [rad]; the same for all that have as many regions.
-  [[nodiscard]] Arc find_arc(double angle, double width) const noexcept {
+  /// From an arc of that width [rad] centred at `angle` [rad] to another centred `turn` [rad] farther, either way
+  /// round; the same for all that have as many regions. Within one circumference: what is more is not moved. An end
+  /// that passes less than a share `softness` of the mean width is spread over as much, about its middle.
+  [[nodiscard]] Sweep find_sweep(double angle, double width, double turn, double end_width,
+                                 double softness = 0.0) const noexcept {
     const double n = static_cast<double>(region_amounts_.size());
-    const double regions = width * regions_per_radian_;
-    double first = angle * regions_per_radian_ - 0.5 * regions;
-    first -= n * std::floor(first / n);
-    double last = first + regions;
-    const bool over_seam = last >= n;
-    if (over_seam) last -= n;
-    const double whole_first = std::floor(first);
-    const double whole_last = std::floor(last);
-    return {static_cast<std::size_t>(whole_first), static_cast<std::size_t>(whole_last), first - whole_first,
-            last - whole_last, over_seam};
+    const double room = std::max(2.0 * std::numbers::pi - 0.5 * (1.0 + softness) * (width + end_width), 0.0);
+    const double move = std::clamp(turn, -room, room) * regions_per_radian_;
+    const double half = 0.5 * width * regions_per_radian_;
+    const double end_half = 0.5 * end_width * regions_per_radian_;
+    const double least = 0.5 * softness * (half + end_half);
+    const double middle = angle * regions_per_radian_ + 0.5 * move;
+    const double rear = middle - 0.5 * (half + end_half);
+    const double front = middle + 0.5 * (half + end_half);
+    const double rear_half = std::max(0.5 * std::abs(move + half - end_half), least);
+    const double front_half = std::max(0.5 * std::abs(move + end_half - half), least);
+    const double shift = n * std::floor((rear - rear_half) / n);
+    return {rear - rear_half - shift, rear + rear_half - shift, front - front_half - shift, front + front_half - shift};
   }
 
-  /// Adds `amount` to every point of the arc.
-  void add_arc(const Arc& arc, double amount) noexcept {
-    add_edge(arc.first, arc.first_part, amount);
-    add_edge(arc.last, arc.last_part, -amount);
-    if (arc.over_seam) base_ += amount;
+  /// Adds to every point `amount` times the share of the movement during which the arc covers it.
+  void add_sweep(const Sweep& sweep, double amount) noexcept {
+    const double rear = add_ramp(sweep.rear_from, sweep.rear_to, amount);
+    const double front = add_ramp(sweep.front_from, sweep.front_to, -amount);
+    base_ += amount * (rear - front);
   }
-  void add_arc(double angle, double width, double amount) noexcept { add_arc(find_arc(angle, width), amount); }
+
+  /// Adds `amount` to every point of the arc of that width [rad] <= 2π centred at `angle` [rad].
+  void add_arc(double angle, double width, double amount) noexcept {
+    add_sweep(find_sweep(angle, width, 0.0, width), amount);
+  }
 
   /// Adds a parabola that vanishes at both ends of the arc, 3/2 mean_amount (1 − (2x/width)²) at x [rad] from its
-  /// centre. Every region gets the exact mean over it: a share u of the width from one end holds u² (3 − 2u) of all.
-  void add_parabola(double angle, double width, double mean_amount) noexcept {
+  /// centre, or its mean over a movement by `turn` [rad]. Every region gets the exact mean over it.
+  void add_parabola(double angle, double width, double mean_amount, double turn = 0.0) noexcept {
     const std::size_t n = region_amounts_.size();
     const double regions = width * regions_per_radian_;
     if (!(regions > 0.0)) return;
-    double first = angle * regions_per_radian_ - 0.5 * regions;
+    const double path = std::abs(turn) / width;
+    // A short movement is its middle, lest differences lose their digits: what that costs goes with its square.
+    const bool moves = path > kLeastPath;
+    double first = (angle + (moves ? std::min(turn, 0.0) : 0.5 * turn)) * regions_per_radian_ - 0.5 * regions;
     first -= static_cast<double>(n) * std::floor(first / static_cast<double>(n));
     const double all = mean_amount * regions;
     double before = 0.0;
     for (std::size_t k = static_cast<std::size_t>(first); before < 1.0; ++k) {
       const double share = (static_cast<double>(k + 1) - first) / regions;
-      const double held = share < 1.0 ? share * share * (3.0 - 2.0 * share) : 1.0;
+      const double held = moves ? hold_moved(share, path) : hold(share);
       region_amounts_[k % n] += all * (held - before);
       before = held;
     }
@@ -92,11 +105,37 @@ class ArcAccumulator {
   }
 
  private:
-  // A step of height `amount` behind that part of a region, which gets what is behind it.
-  void add_edge(std::size_t region, double part, double amount) noexcept {
-    double* at = &differences_[region];
-    at[0] += amount - amount * part;
-    at[1] += amount * part;
+  static constexpr double kLeastPath = 1e-3;  // widths
+
+  // Raises all that lies behind a ramp between two places [regions] of the unrolled circumference by `amount`. Returns
+  // the share of it that is reached at the seam.
+  double add_ramp(double from, double to, double amount) noexcept {
+    const std::size_t n = region_amounts_.size();
+    std::size_t region = static_cast<std::size_t>(from);
+    double seam = region < n ? 1.0 : 0.0;
+    std::size_t at = region < n ? region : region - n;
+    double held = 0.0;    // integral of the ramp's share up to the region
+    double before = 0.0;  // mean share over the region before
+    while (static_cast<double>(region) < to) {
+      const double end = static_cast<double>(region + 1);
+      const double next = end < to ? 0.5 * (end - from) * (end - from) / (to - from) : end - 0.5 * (from + to);
+      differences_[at] += amount * (next - held - before);
+      before = next - held;
+      held = next;
+      ++region;
+      if (++at == n) seam = before, at = 0;
+    }
+    differences_[at] += amount * (1.0 - before);
+    return seam;
+  }
+
+  // Share of a parabola that lies before a share of its width.
+  static double hold(double share) noexcept { return share < 1.0 ? share * share * (3.0 - 2.0 * share) : 1.0; }
+  // The same of one that moves by a path [widths]; 1 once all of it is passed.
+  static double hold_moved(double share, double path) noexcept {
+    if (share >= 1.0 + path) return 1.0;
+    const auto integral = [](double s) { return s <= 0.0 ? 0.0 : s < 1.0 ? s * s * s * (1.0 - 0.5 * s) : s - 0.5; };
+    return (integral(share) - integral(share - path)) / path;
   }
 
   std::vector<double> differences_;

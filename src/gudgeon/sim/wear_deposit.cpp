@@ -5,6 +5,7 @@
 #include "gudgeon/sim/wear_deposit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -20,9 +21,28 @@ constexpr double kParabolaPeak = 1.5;
 // [m] A law may press before its surfaces touch: its arc is then that of a hundredth of an atom.
 constexpr double kLeastPenetration = 1e-12;
 
+// The ends of an arc, where pressure goes to zero between elastic bodies, are ramps of this share of it at least: a
+// step there would make a worn surface the rougher the finer its regions.
+constexpr double kSoftEdge = 0.25;
+
+// A contact that moves and grows by less than this share of its length within a step does so evenly.
+constexpr double kHardly = 0.1;
+// Stages of a step that places are taken from, at most.
+constexpr std::size_t kMostPlaces = 8;
+
 // How fast a contact wears at one instant of a step against another [W].
 double find_intensity(const ContactSample& sample) noexcept {
   return sample.normal_force * std::abs(sample.slip_speed);
+}
+
+double find_place_intensity(const WearDeposit::StepSample& at) noexcept {
+  return at.contact->normal_force > 0.0 ? find_intensity(*at.contact) : 0.0;
+}
+
+// The shorter way round, where there is one.
+double find_turn(double difference, bool is_round) noexcept {
+  if (!is_round || std::abs(difference) <= std::numbers::pi) return difference;
+  return std::remainder(difference, 2.0 * std::numbers::pi);
 }
 
 double find_wear_rate(const AnyWear& any, const WearContact& contact) noexcept {
@@ -77,14 +97,12 @@ WearDeposit::WearDeposit(std::span<const Contact> contacts, Deposition depositio
 void WearDeposit::add(std::span<const StepSample> samples) noexcept {
   const auto presses = [](const StepSample& at) { return at.contact->normal_force > 0.0; };
   double slip = 0.0;
-  double whole = 0.0;
-  const ContactSample* last = nullptr;
+  const StepSample* last = nullptr;
   for (const StepSample& at : samples) {
     if (!presses(at)) continue;
     slip += at.weight * std::abs(at.contact->slip_speed);
     impulse_ += at.weight * at.contact->normal_force;
-    whole += at.share * find_intensity(*at.contact);
-    last = at.contact;
+    last = &at;
   }
   if (last == nullptr) return;
   Amounts worn;
@@ -96,13 +114,21 @@ void WearDeposit::add(std::span<const StepSample> samples) noexcept {
   }
   sliding_distance_ += slip;
   volume_ += (worn.bearing + worn.journal) * contacts_.front().width;
-  if (!(whole > 0.0)) {
-    lay_down(*last, worn);
-    return;
-  }
+  std::array<StepSample, kMostPlaces> places{};
+  std::size_t n_places = 0;
+  bool is_placed = false;
   for (const StepSample& at : samples) {
-    const double part = presses(at) ? at.share * find_intensity(*at.contact) / whole : 0.0;
-    if (part > 0.0) lay_down(*at.contact, {part * worn.bearing, part * worn.journal});
+    if ((at.node > 0.0 && at.share == 0.0) || n_places == kMostPlaces) continue;
+    places[n_places++] = at;
+    is_placed = is_placed || (presses(at) && find_intensity(*at.contact) > 0.0);
+  }
+  const std::span<const StepSample> known(places.data(), n_places);
+  if (!is_placed) {
+    lay_at(find_place(*last), worn);
+  } else if (deposition_ == Deposition::point) {
+    lay_points(known, worn);
+  } else {
+    lay_path(known, worn);
   }
 }
 
@@ -115,44 +141,105 @@ double WearDeposit::find_length(const ContactSample& sample) const noexcept {
 // [m^2/s] after a distance slid in this stage.
 WearDeposit::Amounts WearDeposit::find_rates(const ContactSample& sample, double distance) const noexcept {
   const Contact& contact = contacts_.front();  // its laws and width are those of all
-  const double length = find_length(sample);
-  WearContact wear{sample.normal_force / (contact.width * length), std::abs(sample.slip_speed),
+  WearContact wear{sample.normal_force / contact.width, std::abs(sample.slip_speed),
                    std::abs(sample.friction_force) / sample.normal_force, sample.bearing_depth,
                    contact.sliding_distance + magnification_ * distance};
-  const double bearing = find_wear_rate(contact.bearing_wear, wear) * length;
+  const double bearing = find_wear_rate(contact.bearing_wear, wear);
   wear.depth = sample.journal_depth;
-  return {bearing, find_wear_rate(contact.journal_wear, wear) * length};
+  return {bearing, find_wear_rate(contact.journal_wear, wear)};
 }
 
-void WearDeposit::lay_down(const ContactSample& sample, const Amounts& amounts) noexcept {
+// As angles of the unworn radii, so that depth times circumference is the volume removed.
+WearDeposit::Place WearDeposit::find_place(const StepSample& at) const noexcept {
+  const ContactSample& sample = *at.contact;
   const double length = find_length(sample);
+  const double direction = std::atan2(sample.normal.y, sample.normal.x);
+  const double bearing_at = slot_length_ > 0.0 ? find_side_angle(sample.bearing_position, length / bearing_radius_)
+                                               : direction - sample.bearing_angle;
+  return {&sample, at.node, find_place_intensity(at), length, bearing_at, direction - sample.journal_angle};
+}
+
+void WearDeposit::lay_points(std::span<const StepSample> places, const Amounts& worn) noexcept {
+  double whole = 0.0;
+  for (const StepSample& at : places) whole += at.share * find_place_intensity(at);
+  for (const StepSample& at : places) {
+    // Where only a stage without a share presses, it is the place.
+    const double intensity = find_place_intensity(at);
+    const double part = whole > 0.0 ? at.share * intensity / whole : intensity > 0.0 ? 1.0 : 0.0;
+    if (part > 0.0) lay_at(find_place(at), {part * worn.bearing, part * worn.journal});
+  }
+}
+
+// From place to place, in parts as the trapezoidal rule has them; at once where the contact hardly moves or grows.
+void WearDeposit::lay_path(std::span<const StepSample> places, const Amounts& worn) noexcept {
+  Place from = find_place(places.front());
+  const Place end = find_place(places.back());
+  if (places.size() == 1) {
+    lay_at(end, worn);
+    return;
+  }
+  // A contact that begins with the step begins as a point.
+  const bool begins = from.node > 0.0;
+  if (begins) from.node = from.intensity = from.length = 0.0;
+  if (find_movement(from, end) < kHardly * (from.length + end.length)) {
+    lay_between(from, end, worn);
+    return;
+  }
+  const auto find_part = [](double duration, double a, double b) { return duration * (a + b); };
+  double whole = 0.0;
+  double node = from.node;
+  double intensity = from.intensity;
+  for (const StepSample& at : places.subspan(begins ? 0 : 1)) {
+    const double next = find_place_intensity(at);
+    whole += find_part(at.node - node, intensity, next);
+    node = at.node;
+    intensity = next;
+  }
+  for (const StepSample& at : places.subspan(begins ? 0 : 1)) {
+    const Place to = find_place(at);
+    const double part = find_part(to.node - from.node, from.intensity, to.intensity) / whole;
+    if (part > 0.0) lay_between(from, to, {part * worn.bearing, part * worn.journal});
+    from = to;
+  }
+}
+
+// How far [m] the contact moves and grows on the surface where it does so more.
+double WearDeposit::find_movement(const Place& from, const Place& to) const noexcept {
+  const double along_bearing = std::abs(find_turn(to.bearing_at - from.bearing_at, slot_length_ == 0.0));
+  const double along_journal = std::abs(find_turn(to.journal_at - from.journal_at, true));
+  return std::max(along_bearing * bearing_radius_, along_journal * journal_radius_) + std::abs(to.length - from.length);
+}
+
+void WearDeposit::lay_at(const Place& place, const Amounts& amounts) noexcept { lay_between(place, place, amounts); }
+
+// Over what the contact covers on its way, whose mean length the amounts are spread over.
+void WearDeposit::lay_between(const Place& from, const Place& to, const Amounts& amounts) noexcept {
+  const double length = 0.5 * (from.length + to.length);
   const double bearing_depth = amounts.bearing / length;
   const double journal_depth = amounts.journal / length;
-  // As angles of the unworn radii, so that depth times circumference is the volume removed.
-  const double direction = std::atan2(sample.normal.y, sample.normal.x);
-  const double bearing_width = length / bearing_radius_;
-  const double bearing_at =
-      slot_length_ > 0.0 ? find_side_angle(sample.bearing_position, bearing_width) : direction - sample.bearing_angle;
-  const auto surface = static_cast<std::size_t>(sample.bearing_surface);
-  lay({{&bearing_[surface], bearing_depth}, {&total_[surface], bearing_depth + journal_depth}}, bearing_at,
-      bearing_width);
-  lay({{&journal_[static_cast<std::size_t>(sample.journal_surface)], journal_depth}}, direction - sample.journal_angle,
-      length / journal_radius_);
+  const double bearing_move = to.bearing_at - from.bearing_at;
+  const auto bearing = static_cast<std::size_t>(to.sample->bearing_surface);
+  const auto journal = static_cast<std::size_t>(to.sample->journal_surface);
+  lay({{&bearing_[bearing], bearing_depth}, {&total_[bearing], bearing_depth + journal_depth}}, from.bearing_at,
+      from.length / bearing_radius_, find_turn(bearing_move, slot_length_ == 0.0), to.length / bearing_radius_);
+  lay({{&journal_[journal], journal_depth}}, from.journal_at, from.length / journal_radius_,
+      find_turn(to.journal_at - from.journal_at, true), to.length / journal_radius_);
 }
 
 // On all that are given, at the same place.
-void WearDeposit::lay(std::initializer_list<Layer> layers, double angle, double width) const noexcept {
+void WearDeposit::lay(std::initializer_list<Layer> layers, double angle, double width, double turn,
+                      double end_width) const noexcept {
   const bool parabolic = contacts_.front().pressure == PressureDistribution::parabolic;
   if (deposition_ == Deposition::spread && !parabolic) {
-    const ArcAccumulator::Arc arc = layers.begin()->surface->find_arc(angle, width);
-    for (const Layer& layer : layers) layer.surface->add_arc(arc, layer.mean_depth);
+    const ArcAccumulator::Sweep sweep = layers.begin()->surface->find_sweep(angle, width, turn, end_width, kSoftEdge);
+    for (const Layer& layer : layers) layer.surface->add_sweep(sweep, layer.mean_depth);
     return;
   }
   for (const auto& [surface, mean_depth] : layers) {
     if (deposition_ == Deposition::point) {
       surface->add_point(angle, parabolic ? kParabolaPeak * mean_depth : mean_depth);
     } else {
-      surface->add_parabola(angle, width, mean_depth);
+      surface->add_parabola(angle, 0.5 * (width + end_width), mean_depth, turn);
     }
   }
 }
@@ -160,7 +247,7 @@ void WearDeposit::lay(std::initializer_list<Layer> layers, double angle, double 
 // Where the middle of a contact on a side is, so that none of it lies past the ends of the slot.
 double WearDeposit::find_side_angle(double position, double width) const noexcept {
   const double at = (position + 0.5 * slot_length_) / bearing_radius_;
-  const double margin = std::min(0.5 * width, std::numbers::pi);
+  const double margin = std::min(0.5 * (1.0 + kSoftEdge) * width, std::numbers::pi);
   return std::clamp(at, margin, 2.0 * std::numbers::pi - margin);
 }
 

@@ -16,10 +16,11 @@ namespace gudgeon {
 
 /// dh = ḣ dt for both surfaces of one joint; eqs. (26) to (32) of the paper. The laws are asked once for an arc, with
 /// its mean pressure F/(w L) and with what holds at its middle; as they are proportional to the pressure, its
-/// distribution is that of the depth. Spread deposition lays the depth over the arc, so that the removed volume does
-/// not depend on the number of regions; point deposition gives the depth at the middle to the one region of the contact
-/// point. Each side of a slot is laid out as a circumference of its length whose ends do not meet; a contact that
-/// reaches past an end wears the last part of the side.
+/// distribution is that of the depth, and the volume is that of a unit length under F/w. Spread deposition lays the
+/// depth over the arc as it moves and grows over the step, so that neither the removed volume nor a region's depth
+/// depends on the number of regions or of steps; point deposition gives the depth at the middle to the one region of
+/// the contact point. Each side of a slot is laid out as a circumference of its length whose ends do not meet; a
+/// contact that reaches past an end wears the last part of the side.
 class WearDeposit {
  public:
   /// The contacts of one joint. What the stage wears is handed out times the magnification, and the laws see the
@@ -31,7 +32,7 @@ class WearDeposit {
     const ContactSample* contact;
     double node;    ///< [1] when, in shares of the step
     double weight;  ///< [s] in integrals over the step; may be negative
-    double share;   ///< [1] by which the step's wear is laid down here rather than at its other stages; never negative
+    double share;   ///< [1] weight of a place where the contact was, never negative; 0 for stages that tell of none
   };
   /// One contact over an accepted step. How much it wears is integrated over all stages, where it is laid down is told
   /// by those with a share: so the amount is as accurate as the motion, and no place gets less than nothing unless the
@@ -53,12 +54,27 @@ class WearDeposit {
   };
   [[nodiscard]] double find_length(const ContactSample& sample) const noexcept;
   [[nodiscard]] Amounts find_rates(const ContactSample& sample, double distance) const noexcept;
-  void lay_down(const ContactSample& sample, const Amounts& amounts) noexcept;
+  // Where a contact was at one instant of a step.
+  struct Place {
+    const ContactSample* sample;
+    double node;        // [1]
+    double intensity;   // [W]
+    double length;      // [m]
+    double bearing_at;  // [rad] middle of the arc
+    double journal_at;  // [rad]
+  };
+  [[nodiscard]] Place find_place(const StepSample& at) const noexcept;
+  void lay_points(std::span<const StepSample> places, const Amounts& worn) noexcept;
+  void lay_path(std::span<const StepSample> places, const Amounts& worn) noexcept;
+  void lay_at(const Place& place, const Amounts& amounts) noexcept;
+  [[nodiscard]] double find_movement(const Place& from, const Place& to) const noexcept;
+  void lay_between(const Place& from, const Place& to, const Amounts& amounts) noexcept;
   struct Layer {
     ArcAccumulator* surface;
     double mean_depth;  // [m] over the arc
   };
-  void lay(std::initializer_list<Layer> layers, double angle, double width) const noexcept;
+  void lay(std::initializer_list<Layer> layers, double angle, double width, double turn,
+           double end_width) const noexcept;
   [[nodiscard]] double find_side_angle(double position, double width) const noexcept;
 
   std::span<const Contact> contacts_;
