@@ -113,6 +113,36 @@ TEST(CylindricalLaw, InvertsTheLawsOfTheWidth) {
   }
 }
 
+// The ends as the laws' own formulas have them: dδ/dF = 0.
+template <class Law>
+void expect_end(double force, double penetration, double clearance) {
+  const NormalContact contact = make_contact(1e-6, clearance);
+  const LawEnd end = Law{}.find_end(contact);
+  EXPECT_NEAR(end.force, force, 1e-12 * force) << Law::kName;
+  EXPECT_NEAR(end.penetration, penetration, 1e-12 * penetration) << Law::kName;
+  EXPECT_TRUE(std::isnan(Law{}(make_contact(1.0000001 * end.penetration, clearance)).force)) << Law::kName;
+  // Towards it F comes with the root of what is left.
+  const double near = Law{}(make_contact((1.0 - 1e-8) * end.penetration, clearance)).force;
+  EXPECT_LT(near, force);
+  EXPECT_NEAR(near, force, 2e-4 * force) << Law::kName;
+}
+
+TEST(CylindricalLaw, EndsWhereItSays) {
+  for (const double clearance : {0.02e-3, 0.5e-3}) {
+    const double line = kPi * kModulus * kWidth;
+    const double radius = kBearingRadius * (kBearingRadius - clearance) / clearance;
+    const double e = std::numbers::e;
+    expect_end<Johnson>(4.0 * line * clearance / (e * e), 4.0 * clearance / (e * e), clearance);
+    expect_end<Radzimovsky>(line * clearance * std::exp(-1.0 / 3.0), std::exp(-1.0 / 3.0) * clearance, clearance);
+    expect_end<Esdu78035>(4.0 * line * clearance, 4.0 * clearance, clearance);
+    expect_end<Goldsmith>(line * kWidth * kWidth / radius, kWidth * kWidth / radius, clearance);
+    expect_end<DubowskyFreudenstein>(line * kWidth * kWidth / radius, kWidth * kWidth / radius, clearance);
+    const LawEnd persson = Persson{}.find_end(make_contact(1e-6, clearance));
+    EXPECT_NEAR(persson.penetration, 10.093 * clearance, 1e-3 * clearance);
+    EXPECT_EQ(persson.force, std::numeric_limits<double>::infinity());
+  }
+}
+
 TEST(CylindricalLaw, SolvesTheLogDifference) {
   for (const double t : {1.001, 1.1, 1.9, 3.0, 10.0, 40.0, 700.0}) {
     const double tolerance = 1e-15 * t * t / (t - 1.0);  // rounding of t − ln t over its slope

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Stages that cannot begin or cannot go on say why, where and when, and keep what they have.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <tuple>
 
 #include "gudgeon/sim/stage_run.h"
 #include "tests/oracle/mechanism_parts.h"
@@ -108,6 +111,33 @@ TEST(StageFailure, AContactThatPressesFromTheFirstTouchIsNamed) {
   EXPECT_EQ(stage.status, StageStatus::failed);
   EXPECT_THAT(stage.message, AllOf(HasSubstr("E-NUM-003"), HasSubstr("stiffest contact: joint 'wall_1'")));
   EXPECT_NEAR(stage.end_time, 0.1, 1e-10);
+}
+
+// A load beyond the last of each law that has one: the law is named, not the step.
+TEST(StageFailure, ALawThatEndsIsNamed) {
+  const double modulus = 0.5e9;  // [Pa] E*
+  const double line = std::numbers::pi * modulus * 1.0 * kBallClearance;
+  const double e = std::numbers::e;
+  const std::vector<std::tuple<AnyNormalForce, std::string, double>> laws{
+      {Johnson{}, "johnson", 4.0 * line / (e * e)},
+      {Radzimovsky{}, "radzimovsky", line * std::exp(-1.0 / 3.0)},
+      {Esdu78035{}, "esdu_78035", 4.0 * line},
+      {Goldsmith{}, "goldsmith", line / (kBallBearingRadius * 0.5)},
+      {DubowskyFreudenstein{}, "dubowsky_freudenstein", line / (kBallBearingRadius * 0.5)}};
+  for (const auto& [law, name, force] : laws) {
+    Mechanism mechanism = make_balls({{{0.0, 0.0}, {}}, {{0.49, 0.0}, {0.1, 0.0}}}, {2.0 * force, 0.0}, 1e9);
+    for (Joint& joint : mechanism.joints) std::get<RevoluteClearance>(joint.kind).contact.normal_force = law;
+    const StageRecord stage = run(mechanism, 1.0);
+    EXPECT_EQ(stage.status, StageStatus::failed);
+    EXPECT_THAT(stage.message, AllOf(HasSubstr("E-NUM-012: stopped at t = "), HasSubstr("(cycle 1)"),
+                                     HasSubstr("joint 'wall_1': its law " + name + " has no force beyond F = "),
+                                     HasSubstr(fmt::format(" = {:.0f} N", force))))
+        << name;
+  }
+  // What it can carry, it carries.
+  Mechanism light = make_balls({{{0.49, 0.0}, {0.1, 0.0}}}, {}, 1e9);
+  std::get<RevoluteClearance>(light.joints[0].kind).contact.normal_force = Johnson{};
+  EXPECT_EQ(run(light, 0.3).status, StageStatus::finished);
 }
 
 // A block on a guide, from 0.2 m at −1 m/s, under one load.

@@ -58,6 +58,19 @@ Friction find_friction(const AnyFriction& friction, double slip_speed, double br
 
 }  // namespace
 
+std::optional<NormalForceEnd> find_normal_force_end(const Contact& contact, const ContactGap& gap) noexcept {
+  const NormalContact at = make_normal_contact(contact, {}, gap);
+  return std::visit(
+      [&]<class Law>(const Law& law) -> std::optional<NormalForceEnd> {
+        if constexpr (EndingLaw<Law>) {
+          return NormalForceEnd{Law::kName, Law::kEnd, law.find_end(at)};
+        } else {
+          return std::nullopt;
+        }
+      },
+      contact.normal_force);
+}
+
 double find_stiffness_factor(const Material& bearing, const Material& journal) {
   return 4.0 / 3.0 * find_contact_modulus(bearing, journal);
 }

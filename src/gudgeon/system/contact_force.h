@@ -4,6 +4,9 @@
 // The forces between a journal and a surface of its bearing, both worn.
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "gudgeon/geometry/contact_surfaces.h"
 #include "gudgeon/model/joint.h"
 #include "gudgeon/system/coordinates.h"
@@ -107,6 +110,14 @@ struct ContactSlopes {
 /// By differences of the laws, at the forces that were last found for a contact that presses.
 ContactSlopes find_contact_slopes(const Contact& contact, const ContactLatch& latch, double bristle,
                                   const ContactForces& forces) noexcept;
+
+/// Where the law of a contact ends, at the radii of its gap: nowhere for most.
+struct NormalForceEnd {
+  std::string_view law;
+  std::string_view formula;  ///< in the law's own symbols
+  LawEnd at;
+};
+std::optional<NormalForceEnd> find_normal_force_end(const Contact& contact, const ContactGap& gap) noexcept;
 
 /// The least slip speed [m/s] over which a law changes: the smallest of its parameters that are speeds; 1 without any.
 double find_slip_scale(const AnyFriction& friction);

@@ -64,6 +64,12 @@ inline NormalForce eval_logarithmic(const NormalContact& contact, double referen
   return {force, force, force * contact.penetration * (0.5 - 0.25 / t)};
 }
 
+/// Where it ends: t = 1.
+inline LawEnd find_logarithmic_end(const NormalContact& contact, double reference) noexcept {
+  return {reference / (std::numbers::e * std::numbers::pi * contact.contact_modulus),
+          contact.width * reference / std::numbers::e};
+}
+
 /// ∂U/∂ln L of an elastic energy U = L² u(δ/L), or of a logarithmic law whose reference A is proportional to L.
 inline double energy_by_length(const NormalForce& elastic, const NormalContact& contact) noexcept {
   return 2.0 * elastic.elastic_energy - elastic.elastic_force * contact.penetration;

@@ -19,9 +19,13 @@ struct DubowskyFreudenstein : CylindricalLaw {
   static constexpr std::string_view kName = "dubowsky_freudenstein";
   static constexpr std::string_view kFormula = "δ = F/(π E* w) [ln(π E* w³ ΔR/(F R_i R_j)) + 1]";
   static constexpr std::array<Parameter<DubowskyFreudenstein>, 0> kParameters{};
+  static constexpr std::string_view kEnd = "F = π E* w³ ΔR/(R_i R_j)";
 
   NormalForce operator()(const NormalContact& contact) const noexcept { return eval_by_width(contact); }
+  [[nodiscard]] LawEnd find_end(const NormalContact& contact) const noexcept {
+    return find_logarithmic_end(contact, find_reference_by_width(contact));
+  }
 };
-static_assert(NormalForceLaw<DubowskyFreudenstein>);
+static_assert(EndingLaw<DubowskyFreudenstein>);
 
 }  // namespace gudgeon

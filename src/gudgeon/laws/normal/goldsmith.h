@@ -10,12 +10,15 @@
 
 namespace gudgeon {
 
+/// A [N/m] of a law whose length is the width: e π E* w²/R_r.
+inline double find_reference_by_width(const NormalContact& contact) noexcept {
+  const double radius = contact.bearing_radius * contact.journal_radius / find_clearance(contact);
+  return std::numbers::e * std::numbers::pi * contact.contact_modulus * contact.width * contact.width / radius;
+}
+
 /// The law that Goldsmith's shares with Dubowsky and Freudenstein's, complete with damping.
 inline NormalForce eval_by_width(const NormalContact& contact) noexcept {
-  const double radius = contact.bearing_radius * contact.journal_radius / find_clearance(contact);
-  const double reference =
-      std::numbers::e * std::numbers::pi * contact.contact_modulus * contact.width * contact.width / radius;
-  NormalForce elastic = eval_logarithmic(contact, reference);
+  NormalForce elastic = eval_logarithmic(contact, find_reference_by_width(contact));
   elastic.energy_by_radius = -energy_by_length(elastic, contact);
   return with_damping(elastic, contact);
 }
@@ -29,9 +32,13 @@ struct Goldsmith : CylindricalLaw {
   static constexpr std::string_view kName = "goldsmith";
   static constexpr std::string_view kFormula = "δ = F/(π E* w) [ln(π E* w³/(F R_r)) + 1]";
   static constexpr std::array<Parameter<Goldsmith>, 0> kParameters{};
+  static constexpr std::string_view kEnd = "F = π E* w³/R_r";
 
   NormalForce operator()(const NormalContact& contact) const noexcept { return eval_by_width(contact); }
+  [[nodiscard]] LawEnd find_end(const NormalContact& contact) const noexcept {
+    return find_logarithmic_end(contact, find_reference_by_width(contact));
+  }
 };
-static_assert(NormalForceLaw<Goldsmith>);
+static_assert(EndingLaw<Goldsmith>);
 
 }  // namespace gudgeon

@@ -19,12 +19,19 @@ struct Johnson : CylindricalLaw {
   static constexpr std::string_view kName = "johnson";
   static constexpr std::string_view kFormula = "δ = F/(π E* w) [ln(4π E* w ΔR/F) − 1]";
   static constexpr std::array<Parameter<Johnson>, 0> kParameters{};
+  static constexpr std::string_view kEnd = "F = 4π E* w ΔR/e²";
 
+  /// A [N/m]
+  static double find_reference(const NormalContact& contact) noexcept {
+    return 4.0 / std::numbers::e * std::numbers::pi * contact.contact_modulus * find_clearance(contact);
+  }
   NormalForce operator()(const NormalContact& contact) const noexcept {
-    const double reference = 4.0 / std::numbers::e * std::numbers::pi * contact.contact_modulus;
-    return with_clearance_and_damping(eval_logarithmic(contact, reference * find_clearance(contact)), contact);
+    return with_clearance_and_damping(eval_logarithmic(contact, find_reference(contact)), contact);
+  }
+  [[nodiscard]] LawEnd find_end(const NormalContact& contact) const noexcept {
+    return find_logarithmic_end(contact, find_reference(contact));
   }
 };
-static_assert(NormalForceLaw<Johnson>);
+static_assert(EndingLaw<Johnson>);
 
 }  // namespace gudgeon

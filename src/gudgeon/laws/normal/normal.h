@@ -33,6 +33,12 @@ struct NormalForce {
   double energy_by_clearance = 0.0;  ///< ∂U/∂ln ΔR [J] at constant δ, where the law depends on ΔR = R_i − R_j
 };
 
+/// The last point of a law that is defined only so far.
+struct LawEnd {
+  double penetration = 0.0;  ///< [m]
+  double force = 0.0;        ///< F_el [N] there; may be infinite
+};
+
 /// Total force of an elastic part and a damping part; a contact cannot pull, so the sum ends at zero. NaN stays NaN.
 inline double never_pulling(double elastic_force, double damping_force) {
   return std::max(elastic_force + damping_force, 0.0);
@@ -53,6 +59,15 @@ concept NormalForceLaw = LawValue<Law> && requires(const Law law, const NormalCo
   { law(contact) }
   noexcept->std::same_as<NormalForce>;
   { law.damping_factor() } -> std::same_as<double>;
+};
+
+/// A law that says where it ends: kEnd in its own symbols, find_end() in numbers, for the radii, width and modulus
+/// given. Beyond it has no force, and a motion cannot go on.
+template <class Law>
+concept EndingLaw = NormalForceLaw<Law> && requires(const Law law, const NormalContact contact) {
+  { Law::kEnd } -> std::convertible_to<std::string_view>;
+  { law.find_end(contact) }
+  noexcept->std::same_as<LawEnd>;
 };
 
 }  // namespace gudgeon

@@ -64,11 +64,16 @@ struct Persson : CylindricalLaw {
   static constexpr std::string_view kFormula =
       "F = 2π E* w ΔR (b² + 1) b²/(2 − ln(b² + 1) − 2b⁴), b = tan(ε/2), cos ε = ΔR/(ΔR + δ)";
   static constexpr std::array<Parameter<Persson>, 0> kParameters{};
+  static constexpr std::string_view kEnd = "δ = 10.093 ΔR, where F → ∞";
 
   NormalForce operator()(const NormalContact& contact) const noexcept {
     return with_clearance_and_damping(eval_persson(contact), contact);
   }
+  [[nodiscard]] LawEnd find_end(const NormalContact& contact) const noexcept {
+    return {2.0 * find_clearance(contact) * kPerssonLimit / (1.0 - kPerssonLimit),
+            std::numeric_limits<double>::infinity()};
+  }
 };
-static_assert(NormalForceLaw<Persson>);
+static_assert(EndingLaw<Persson>);
 
 }  // namespace gudgeon

@@ -21,13 +21,19 @@ struct Radzimovsky : CylindricalLaw {
   static constexpr std::string_view kName = "radzimovsky";
   static constexpr std::string_view kFormula = "δ = F/(π E* w) [2/3 + ln(4R_i/b) + ln(4R_j/b)], b = 4√(F R_r/(π E* w))";
   static constexpr std::array<Parameter<Radzimovsky>, 0> kParameters{};
+  static constexpr std::string_view kEnd = "F = π E* w ΔR e^(−1/3)";
 
+  /// A [N/m]: 16 R_i R_j/b² = π E* w ΔR/F
+  static double find_reference(const NormalContact& contact) noexcept {
+    return std::exp(2.0 / 3.0) * std::numbers::pi * contact.contact_modulus * find_clearance(contact);
+  }
   NormalForce operator()(const NormalContact& contact) const noexcept {
-    // 16 R_i R_j/b² = π E* w ΔR/F
-    const double reference = std::exp(2.0 / 3.0) * std::numbers::pi * contact.contact_modulus;
-    return with_clearance_and_damping(eval_logarithmic(contact, reference * find_clearance(contact)), contact);
+    return with_clearance_and_damping(eval_logarithmic(contact, find_reference(contact)), contact);
+  }
+  [[nodiscard]] LawEnd find_end(const NormalContact& contact) const noexcept {
+    return find_logarithmic_end(contact, find_reference(contact));
   }
 };
-static_assert(NormalForceLaw<Radzimovsky>);
+static_assert(EndingLaw<Radzimovsky>);
 
 }  // namespace gudgeon
