@@ -98,6 +98,14 @@ TEST(RunSummary, SaysWhyAStageFailedAndWhyItIsNotCompared) {
   EXPECT_THAT(text, HasSubstr("not compared: stages 'wear_1' and 'ideal' are not recorded at the same times"));
 }
 
+TEST(RunSummary, RemarksOnWhatNoBearingHas) {
+  RunRecord run = test::make_run();
+  EXPECT_THAT(render_summary(run, {}, false), Not(HasSubstr("Remarks")));
+  run.stages[2].wear[0].bearing_depth_added[0] = 0.7e-3;
+  EXPECT_THAT(render_summary(run, {}, false),
+              HasSubstr("Remarks\n  stage 'wear_1', joint 'A': bearing worn 700 um deep, more than the clearance"));
+}
+
 TEST(RunSummary, ColorIsForTerminals) {
   EXPECT_THAT(render_summary(test::make_run(), kPublished, false), Not(HasSubstr("\033")));
   EXPECT_THAT(render_summary(test::make_run(), kPublished, true), HasSubstr("\033[1m"));

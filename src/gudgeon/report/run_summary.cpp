@@ -110,9 +110,9 @@ std::string render_contents(const RunRecord& run, bool color) {
 }  // namespace
 
 std::string render_summary(const RunRecord& run, std::span<const PublishedRow> published, bool color) {
-  return render_header(run, color) + render_stages(run, color) + render_peaks(run, color) + render_wear(run, color) +
-         render_contacts(run, color) + render_ideal_errors(run, color) + render_energy(run, color) +
-         render_published(run, published, color);
+  return render_header(run, color) + render_stages(run, color) + render_limits_exceeded(run, color) +
+         render_peaks(run, color) + render_wear(run, color) + render_contacts(run, color) +
+         render_ideal_errors(run, color) + render_energy(run, color) + render_published(run, published, color);
 }
 
 std::string render_info(const RunRecord& outline, bool color) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gudgeon/analysis/energy_audit.h"
+#include "gudgeon/analysis/surface_limits.h"
 #include "gudgeon/analysis/translating_bodies.h"
 #include "gudgeon/report/number_format.h"
 #include "gudgeon/report/table.h"
@@ -85,6 +86,12 @@ std::string render_stages(const RunRecord& run, bool color) {
     }
   }
   return render_title("Stages", color) + table.render(color) + messages;
+}
+
+std::string render_limits_exceeded(const RunRecord& run, bool color) {
+  std::string lines;
+  for (const LimitExceeded& exceeded : find_limits_exceeded(run)) lines += fmt::format("  {}\n", describe(exceeded));
+  return lines.empty() ? "" : render_title("Remarks", color) + lines;
 }
 
 std::string render_peaks(const RunRecord& run, bool color) {

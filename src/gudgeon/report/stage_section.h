@@ -16,6 +16,9 @@ const char* name_status(StageStatus status);
 /// What each stage took, and why it ended when it did not finish.
 std::string render_stages(const RunRecord& run, bool color);
 
+/// Penetrations and depths of wear that no bearing has, a line each.
+std::string render_limits_exceeded(const RunRecord& run, bool color);
+
 /// Peaks of contact forces, driver efforts and slider accelerations that have statistics, a column a stage.
 std::string render_peaks(const RunRecord& run, bool color);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "gudgeon/analysis/energy_audit.h"
+#include "gudgeon/analysis/surface_limits.h"
 #include "gudgeon/analysis/wear_summary.h"
 #include "gudgeon/report/figures/case_figures.h"
 #include "gudgeon/report/html/case_sections.h"
@@ -125,6 +126,9 @@ std::string render_solver_table(const RunRecord& run) {
     if (stage.message.empty()) continue;
     html += make_paragraph(
         fmt::format("Stage “{}” {}: {}", label_stage(stage.name), name_status(stage.status), stage.message), "warning");
+  }
+  for (const LimitExceeded& exceeded : find_limits_exceeded(run)) {
+    html += make_paragraph(fmt::format("Remark, {}", describe(exceeded)), "warning");
   }
   return html;
 }
