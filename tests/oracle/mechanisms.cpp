@@ -218,6 +218,7 @@ std::vector<Mechanism> make_all_mechanisms() {
           make_scotch_yoke_clearance(),
           make_free_pair_in_slot(),
           make_free_pair(),
+          make_free_pair_of_cylinders(),
           make_nine_bar()};
 }
 

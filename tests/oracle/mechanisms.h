@@ -65,6 +65,8 @@ Mechanism make_projectile();
 Mechanism make_free_body_in_bearing();
 /// Two free bodies that meet only in one clearance joint; no joint leads to the frame and there is no gravity.
 Mechanism make_free_pair();
+/// The free pair of unlike materials, pressing by a law of cylinders: what counts is E*, not K.
+Mechanism make_free_pair_of_cylinders();
 /// A driven slider-crank whose slider stands in an oblique guide with clearance; 2 degrees of freedom.
 Mechanism make_slider_crank_guide();
 /// A block with a pendulum, loose in the slot of a swinging arm; 5 degrees of freedom.

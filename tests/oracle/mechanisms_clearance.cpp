@@ -98,6 +98,15 @@ Mechanism make_free_pair() {
   return mechanism;
 }
 
+Mechanism make_free_pair_of_cylinders() {
+  Mechanism mechanism = make_free_pair();
+  mechanism.name = "free_pair_of_cylinders";
+  ContactProperties& contact = std::get<RevoluteClearance>(mechanism.joints[0].kind).contact;
+  contact.bearing_material = {"bronze", 105e9, 0.34};
+  contact.normal_force = Radzimovsky{};
+  return mechanism;
+}
+
 Mechanism make_nine_bar() {
   Mechanism mechanism =
       make_empty("nine_bar", {9.81, 0.0},
