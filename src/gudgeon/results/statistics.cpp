@@ -31,6 +31,17 @@ void StatisticsAccumulator::reset() {
   empty_ = true;
 }
 
+// Written so that the first value, and one after NaN, are taken.
+void StatisticsAccumulator::Running::note_extremes(double time, double x, bool is_first) {
+  if (is_first || x < minimum || std::isnan(minimum)) minimum = x, minimum_time = time;
+  if (is_first || x > maximum || std::isnan(maximum)) maximum = x, maximum_time = time;
+}
+
+void StatisticsAccumulator::note_extremes(double time, std::span<const double> values) {
+  assert(!empty_ && values.size() == running_.size());
+  for (std::size_t k = 0; k < running_.size(); ++k) running_[k].note_extremes(time, values[k], false);
+}
+
 void StatisticsAccumulator::update(double time, std::span<const double> values) {
   assert(values.size() == running_.size());
   assert(empty_ || time >= last_time_);
@@ -39,9 +50,7 @@ void StatisticsAccumulator::update(double time, std::span<const double> values) 
   for (std::size_t k = 0; k < running_.size(); ++k) {
     Running& r = running_[k];
     const double x = values[k];
-    // written so that the first update, and one after NaN, are taken
-    if (empty_ || x < r.minimum || std::isnan(r.minimum)) r.minimum = x, r.minimum_time = time;
-    if (empty_ || x > r.maximum || std::isnan(r.maximum)) r.maximum = x, r.maximum_time = time;
+    r.note_extremes(time, x, empty_);
     if (half_step > 0.0) {
       r.integral.add(half_step * (r.last + x));
       r.square_integral.add(half_step * (r.last * r.last + x * x));

@@ -14,6 +14,7 @@ namespace gudgeon {
 
 /// Extremes, mean and rms of some channels over time, between the first and the last update.
 ///
+/// Extremes are those of all values, also of those noted between steps.
 /// mean = (1/T) ∫ x dt and rms = √((1/T) ∫ x² dt) by the trapezoidal rule over the accepted steps; sums are
 /// compensated (Neumaier), so their error does not grow with the number of steps. A jump is two updates at the same
 /// time, which weigh nothing. A NaN passes into mean and rms and is left out of the extremes; no update at all gives
@@ -26,6 +27,8 @@ class StatisticsAccumulator {
   void reset();
   /// One accepted step: times must not decrease; values holds one a channel, in their order. Allocates nothing.
   void update(double time, std::span<const double> values);
+  /// Values between two steps, which only count for the extremes. Allocates nothing.
+  void note_extremes(double time, std::span<const double> values);
   /// In the order of the channels.
   [[nodiscard]] std::vector<ChannelStatistics> summarize() const;
 
@@ -37,6 +40,7 @@ class StatisticsAccumulator {
     [[nodiscard]] double total() const { return value + lost; }
   };
   struct Running {
+    void note_extremes(double time, double x, bool is_first);
     double last = 0.0;
     double minimum = 0.0;
     double minimum_time = 0.0;

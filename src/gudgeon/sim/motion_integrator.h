@@ -41,6 +41,8 @@ class MotionIntegrator {
   /// Shorter steps than this [s] are given up.
   [[nodiscard]] double find_smallest_step() const noexcept { return gudgeon::find_smallest_step(time_, longest_step_); }
   [[nodiscard]] const std::vector<double>& y() const { return y_; }
+  /// ẏ there, with the latches of the step that ended.
+  [[nodiscard]] const std::vector<double>& slope() const { return slope_; }
   /// Equations, latches and workspace, evaluated at the end of the step.
   [[nodiscard]] MotionEquations& equations() { return equations_; }
   [[nodiscard]] const std::vector<GapState>& gaps() const { return gaps_; }

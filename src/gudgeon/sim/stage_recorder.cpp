@@ -69,13 +69,9 @@ StageRecorder::Energies StageRecorder::find_energies(const Workspace& workspace)
 
 void StageRecorder::sample(double time, Workspace& workspace, std::span<const ContactLatch> latches,
                            double initial_energy, const double* integrals) {
-  update_point_motions(system_->tables, workspace);
+  find_penetrations(workspace);
   motion_.update(workspace);
   reaction_.update(workspace, motion_.motions());
-  for (std::size_t k = 0; k < penetrations_.size(); ++k) {
-    const Contact& contact = system_->tables.contacts[k];
-    penetrations_[k] = find_gap(contact.surfaces, find_contact_motion(contact, workspace)).penetration;
-  }
   for (std::size_t g = 0; g < readers_.size(); ++g) {
     readers_[g].read_motion(workspace, motion_.motions(), snapshot_.clearances[g]);
   }
@@ -101,11 +97,35 @@ void StageRecorder::sample(double time, Workspace& workspace, std::span<const Co
 }
 
 void StageRecorder::watch(double time, const Workspace& workspace, std::span<const GapState> gaps) {
-  motion_.update(workspace);
   for (std::size_t k = 0; k < gaps.size(); ++k) penetrations_[k] = gaps[k].penetration;
+  read_watched(workspace);
+  step_statistics_.update(time, watched_row_);
+}
+
+void StageRecorder::watch(double time, Workspace& workspace) {
+  find_penetrations(workspace);
+  read_watched(workspace);
+  step_statistics_.update(time, watched_row_);
+}
+
+void StageRecorder::watch_between(double time, Workspace& workspace) {
+  find_penetrations(workspace);
+  read_watched(workspace);
+  step_statistics_.note_extremes(time, watched_row_);
+}
+
+void StageRecorder::find_penetrations(Workspace& workspace) {
+  update_point_motions(system_->tables, workspace);
+  for (std::size_t k = 0; k < penetrations_.size(); ++k) {
+    const Contact& contact = system_->tables.contacts[k];
+    penetrations_[k] = find_gap(contact.surfaces, find_contact_motion(contact, workspace)).penetration;
+  }
+}
+
+void StageRecorder::read_watched(const Workspace& workspace) {
+  motion_.update(workspace);
   read_clearances(workspace);
   for (std::size_t k = 0; k < watched_.size(); ++k) watched_row_[k] = table_[watched_[k]].read(snapshot_);
-  step_statistics_.update(time, watched_row_);
 }
 
 void StageRecorder::read_clearances(const Workspace& workspace) {

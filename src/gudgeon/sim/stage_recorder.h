@@ -45,11 +45,19 @@ class StageRecorder {
               const double* integrals);
   /// Takes one accepted step into the statistics of contacts, efforts and accelerations.
   void watch(double time, const Workspace& workspace, std::span<const GapState> gaps);
+  /// The same of a state whose gaps are not known.
+  void watch(double time, Workspace& workspace);
+  /// Takes a state between two steps into their extremes.
+  void watch_between(double time, Workspace& workspace);
+  /// The values last watched, one a channel that is.
+  [[nodiscard]] const std::vector<double>& watched_row() const { return watched_row_; }
 
   /// Moves what was recorded, and not handed over, into the stage.
   void finish(StageRecord& stage);
 
  private:
+  void find_penetrations(Workspace& workspace);
+  void read_watched(const Workspace& workspace);
   void read_clearances(const Workspace& workspace);
   void hand_over();
 

@@ -32,6 +32,7 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
       motion_(system, study, cycle_time),
       recorder_(system),
       history_(system.tables.contacts.size(), study.warm_up_cycles * cycle_time),
+      peaks_(system, motion_.equations(), recorder_, history_),
       scratch_(system.tables),
       warm_up_end_(study.warm_up_cycles * cycle_time),
       end_((study.warm_up_cycles + study.cycles) * cycle_time),
@@ -73,7 +74,7 @@ StageRecord StageRun::run(const State& start, const std::stop_token& stop,
     }
     const double step_start = motion_.time();
     if (!motion_.advance(step_start < warm_up_end_ ? warm_up_end_ : end_)) {
-      fail("E-NUM-003", fmt::format("step below {:.2g} s", motion_.find_smallest_step()));
+      if (!fail_at_law_end()) fail("E-NUM-003", fmt::format("step below {:.2g} s", motion_.find_smallest_step()));
       break;
     }
     take_step(step_start);
@@ -110,7 +111,7 @@ void StageRun::begin(const State& start) {
   initial_energies_ = recorder_.find_energies(motion_.equations().workspace);
   if (warm_up_end_ > 0.0) return;
   sample_until(0.0);
-  recorder_.watch(0.0, motion_.equations().workspace, motion_.gaps());
+  peaks_.begin(motion_);
 }
 
 // Contacts whose surfaces touch or overlap at the start, and do not part, are made from the first moment on.
@@ -131,12 +132,12 @@ void StageRun::close_touching() {
 
 void StageRun::take_step(double step_start) {
   const double now = motion_.time();
-  MotionEquations& equations = motion_.equations();
   if (step_start >= warm_up_end_) deposit_wear();
   sample_until(now);
-  if (now >= warm_up_end_) recorder_.watch(now, equations.workspace, motion_.gaps());
-  for (std::size_t k = 0; k < equations.latches.size(); ++k) {
-    if (equations.latches[k].in_contact) history_.watch(k, equations.workspace.contact_forces[k].normal_force);
+  if (step_start >= warm_up_end_) {
+    peaks_.take_step(motion_);
+  } else if (now >= warm_up_end_) {
+    peaks_.begin(motion_);
   }
   if (const auto contact = motion_.changing_contact()) note_contact_change(*contact);
 }
@@ -154,11 +155,11 @@ void StageRun::deposit_wear() {
       step_.clear();
       for (std::size_t stage = 0; stage < nodes.size(); ++stage) {
         const ContactSample& sample = step.find_sample(static_cast<int>(stage), k);
-        if (sample.normal_force == 0.0) continue;
+        if (sample.journal_radius == 0.0) continue;  // not yet touched
         step_.push_back({&sample, nodes[stage], weights[stage] * h, shares[stage]});
+        touched = touched || sample.normal_force > 0.0;
       }
       wear_[g].add(step_);
-      touched = touched || !step_.empty();
     }
     if (touched) wear_[g].add_contact_time(h);
   }
@@ -221,6 +222,29 @@ void StageRun::sample_until(double time) {
     eval_dynamics(system_.tables, at, y, y + equations.n_free(), equations.latches, equations.feedback(), scratch_);
     recorder_.sample(at, scratch_, equations.latches, initial_energies_.total(), y + equations.n_states());
   }
+}
+
+// Steps that shrink because a contact is pressed to where its law ends are told so.
+bool StageRun::fail_at_law_end() {
+  constexpr double kNear = 1e-3;  // of the penetration there: steps had become shorter than it takes to get there
+  const MotionEquations& equations = motion_.equations();
+  for (std::size_t k = 0; k < motion_.gaps().size(); ++k) {
+    if (!equations.latches[k].in_contact) continue;
+    const Contact& contact = system_.tables.contacts[k];
+    motion_.evaluate_again();
+    const ContactGap& gap = equations.workspace.contact_forces[k].gap;
+    const std::optional<NormalForceEnd> end = find_normal_force_end(contact, gap);
+    if (!end || gap.penetration < (1.0 - kNear) * end->at.penetration) continue;
+    record_.status = StageStatus::failed;
+    record_.message = fmt::format(
+        "E-NUM-012: stopped at t = {:.9g} s (cycle {}): joint '{}': its law {} has no force beyond {}{}, at a "
+        "penetration of {:.4g} um; take a law without an end, or loads that stay below it",
+        motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1,
+        system_.mechanism.joints[contact.joint].name, end->law, end->formula,
+        std::isfinite(end->at.force) ? fmt::format(" = {:.0f} N", end->at.force) : "", 1e6 * end->at.penetration);
+    return true;
+  }
+  return false;
 }
 
 void StageRun::fail(const std::string& code, const std::string& reason) {

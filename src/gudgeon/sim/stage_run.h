@@ -11,6 +11,7 @@
 
 #include "gudgeon/sim/contact_history.h"
 #include "gudgeon/sim/motion_integrator.h"
+#include "gudgeon/sim/peak_watch.h"
 #include "gudgeon/sim/stage_recorder.h"
 #include "gudgeon/sim/wear_deposit.h"
 
@@ -21,6 +22,8 @@ namespace gudgeon {
 class StageRun {
  public:
   StageRun(const System& system, const Study& study, double cycle_time, std::string name);
+  StageRun(const StageRun&) = delete;  // the watch holds on to its recorder
+  StageRun& operator=(const StageRun&) = delete;
 
   /// Has the samples handed over in blocks of that size; the record then holds those after the last block.
   void stream(std::size_t block_size, const std::function<void(const SampleBlock&)>& take);
@@ -37,6 +40,7 @@ class StageRun {
   void stop_outside_slots();
   void sample_until(double time);
   void fail(const std::string& code, const std::string& reason);
+  bool fail_at_law_end();
   void finish();
 
   const System& system_;
@@ -44,6 +48,7 @@ class StageRun {
   MotionIntegrator motion_;
   StageRecorder recorder_;
   ContactHistory history_;
+  PeakWatch peaks_;
   std::vector<WearDeposit> wear_;              // one a clearance joint
   std::vector<WearDeposit::StepSample> step_;  // of one contact
   Workspace scratch_;

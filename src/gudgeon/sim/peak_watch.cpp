@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From steps to rows of signals.
+#include "gudgeon/sim/peak_watch.h"
+
+#include <algorithm>
+
+namespace gudgeon {
+
+PeakWatch::PeakWatch(const System& system, const MotionEquations& equations, StageRecorder& recorder,
+                     ContactHistory& history)
+    : system_(system),
+      equations_(equations),
+      recorder_(recorder),
+      history_(history),
+      steps_(equations),
+      search_(recorder.watched_row().size() + system.tables.contacts.size(),
+              [this](double time, std::span<double> row) { measure(time, row); }),
+      scratch_(system.tables),
+      y_(equations.n_states()),
+      slope_(equations.n_states()),
+      forces_(system.tables.contacts.size(), 0.0),
+      n_watched_(recorder.watched_row().size()) {}
+
+void PeakWatch::begin(const MotionIntegrator& motion) {
+  steps_.clear();
+  search_.interrupt();
+  take_state(motion);
+}
+
+void PeakWatch::take_step(const MotionIntegrator& motion) {
+  // A stride has no stages; two contacts that change at one instant have no time between.
+  if (motion.last_step() == 0.0) {
+    begin(motion);
+    return;
+  }
+  note_latches();
+  take_state(motion);
+  look_into_short_contacts(motion);
+}
+
+// What has changed at the start of the step.
+void PeakWatch::note_latches() {
+  const std::vector<ContactLatch>& before = steps_.latches();
+  bool jumps = false;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    if (before[k].in_contact == equations_.latches[k].in_contact) continue;
+    jumps = jumps || system_.tables.contacts[k].steps_at_onset || system_.tables.contacts[k].bristle >= 0;
+    search_.forget(n_watched_ + k);
+  }
+  if (jumps) begin_after_jump();
+}
+
+// Forces may have changed with the latches: the state stands once more, as the step began with it.
+void PeakWatch::begin_after_jump() {
+  const double time = steps_.time(0);
+  std::ranges::copy(steps_.state(0), y_.begin());
+  eval(time, equations_.latches);
+  const std::size_t n_free = equations_.n_free();
+  for (std::size_t i = 0; i < n_free; ++i) {
+    slope_[i] = y_[n_free + i];
+    slope_[n_free + i] = scratch_.equations[i];
+  }
+  for (std::size_t k = 0; k < system_.tables.contacts.size(); ++k) {
+    if (system_.tables.contacts[k].bristle < 0) continue;
+    slope_[equations_.bristle_at(k)] = scratch_.contact_forces[k].bristle_rate;
+  }
+  steps_.clear();
+  search_.interrupt();
+  steps_.note(time, y_, slope_, equations_.latches);
+  recorder_.watch(time, scratch_);
+  read_row(scratch_, equations_.latches, search_.next_row());
+  search_.take(time);
+}
+
+void PeakWatch::take_state(const MotionIntegrator& motion) {
+  steps_.note(motion.time(), motion.y(), motion.slope(), equations_.latches);
+  recorder_.watch(motion.time(), equations_.workspace, motion.gaps());
+  read_row(equations_.workspace, equations_.latches, search_.next_row());
+  search_.take(motion.time());
+}
+
+// A contact that opens in the step in which it closed shows no force at either end.
+void PeakWatch::look_into_short_contacts(const MotionIntegrator& motion) {
+  const std::span<const double> nodes = motion.stepper().nodes();
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    const double before = forces_[k];
+    forces_[k] = equations_.workspace.contact_forces[k].normal_force;
+    if (!equations_.latches[k].in_contact || before > 0.0 || forces_[k] > 0.0) continue;
+    double greatest = 0.0;
+    std::size_t at = 0;
+    for (std::size_t stage = 0; stage < nodes.size(); ++stage) {
+      const double force = motion.find_sample(static_cast<int>(stage), k).normal_force;
+      if (force > greatest) greatest = force, at = stage;
+    }
+    if (greatest > 0.0) search_.look_between(steps_.time(1) + nodes[at] * motion.last_step(), n_watched_ + k);
+  }
+}
+
+void PeakWatch::eval(double time, const std::vector<ContactLatch>& latches) {
+  equations_.load_bristles(y_.data(), scratch_);
+  eval_dynamics(system_.tables, time, y_.data(), y_.data() + equations_.n_free(), latches, equations_.feedback(),
+                scratch_);
+}
+
+void PeakWatch::measure(double time, std::span<double> row) {
+  steps_.interpolate(time, y_.data());
+  const std::vector<ContactLatch>& latches = steps_.find_latches(time);
+  eval(time, latches);
+  recorder_.watch_between(time, scratch_);
+  read_row(scratch_, latches, row);
+}
+
+void PeakWatch::read_row(const Workspace& workspace, const std::vector<ContactLatch>& latches, std::span<double> row) {
+  std::ranges::copy(recorder_.watched_row(), row.begin());
+  for (std::size_t k = 0; k < latches.size(); ++k) {
+    const double force = latches[k].in_contact ? workspace.contact_forces[k].normal_force : 0.0;
+    if (latches[k].in_contact) history_.watch(k, force);
+    row[n_watched_ + k] = force;
+  }
+}
+
+}  // namespace gudgeon

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Statistics of a stage and the peaks of its contacts, taken at accepted steps and, for extremes, between them.
+#pragma once
+
+#include <vector>
+
+#include "gudgeon/sim/contact_history.h"
+#include "gudgeon/sim/motion_integrator.h"
+#include "gudgeon/sim/peak_search.h"
+#include "gudgeon/sim/stage_recorder.h"
+#include "gudgeon/sim/step_history.h"
+
+namespace gudgeon {
+
+/// Follows the watched channels and the normal force of every contact. Where one of them may have had an extreme within
+/// the last two steps, the equations are evaluated there, at states of the steps' polynomials.
+class PeakWatch {
+ public:
+  PeakWatch(const System& system, const MotionEquations& equations, StageRecorder& recorder, ContactHistory& history);
+  PeakWatch(const PeakWatch&) = delete;  // its search calls back
+  PeakWatch& operator=(const PeakWatch&) = delete;
+
+  /// The state from which on steps count.
+  void begin(const MotionIntegrator& motion);
+  /// The step just accepted; before a change of contact at its end is noted.
+  void take_step(const MotionIntegrator& motion);
+
+ private:
+  void note_latches();
+  void begin_after_jump();
+  void take_state(const MotionIntegrator& motion);
+  void look_into_short_contacts(const MotionIntegrator& motion);
+  void eval(double time, const std::vector<ContactLatch>& latches);
+  void measure(double time, std::span<double> row);
+  void read_row(const Workspace& workspace, const std::vector<ContactLatch>& latches, std::span<double> row);
+
+  const System& system_;
+  const MotionEquations& equations_;  // of the motion
+  StageRecorder& recorder_;
+  ContactHistory& history_;
+  StepHistory steps_;
+  PeakSearch search_;
+  Workspace scratch_;
+  std::vector<double> y_;
+  std::vector<double> slope_;
+  std::vector<double> forces_;  // [N] of the contacts at the last step
+  std::size_t n_watched_;       // channels, which stand before the contacts
+};
+
+}  // namespace gudgeon
