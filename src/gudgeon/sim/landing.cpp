@@ -42,6 +42,10 @@ bool MotionIntegrator::attempt_step(double longest, double left) {
     changing_contact_.reset();
     stepper_->end_at(*share * stepper_->dense().step());
     find_end_gaps();
+    if (!std::isfinite(end_gaps_.front().penetration)) {
+      stepper_->shorten();
+      return false;
+    }
   }
   return true;
 }
@@ -95,7 +99,8 @@ bool MotionIntegrator::land_on_change(const ContactChange& change) {
   }
   switch (search.outcome()) {
     case LandingSearch::Outcome::found:
-      if (!search.is_current() && !end_at(search.length())) return false;
+      if (!search.is_current()) end_at(search.length());
+      if (!std::isfinite(end_gaps_[k].penetration)) return false;
       changing_contact_ = k;
       return true;
     case LandingSearch::Outcome::none:
