@@ -47,7 +47,7 @@ TEST(Restitution, OfEveryDampingFormOverTheRestitutionAskedFor) {
       {"Normal force", "Restitution delivered by every damping form",
        "root of χ (1 + e) = ln[(1 + χ)/(1 − χ e)], whatever stiffness, mass and speed",
        "A ball strikes its bearing; the ratio of the speeds after and before, for each e asked for.",
-       "the run's tolerance is 1e-11 a step; the rest is onset located within 1e-10 s"});
+       "the run's tolerance is 1e-11 a step; the rest is rounding of the gap, within which onset is located"});
   for_each_law<AnyDamping>([&]<class Damping>() {
     if constexpr (!std::same_as<Damping, NoDamping>) {
       for (const double asked : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
@@ -64,7 +64,7 @@ TEST(Restitution, OfTheLawsThatHaveADampingOfTheirOwn) {
   book::Recorder recorder({"Normal force", "Restitution delivered by anagnostopoulos and bai_zhao",
                            "the linear damper that is cut off where it would pull; the same root for bai_zhao",
                            "The same ball under the laws that are no damping form on a Hertzian force.",
-                           "the run's tolerance is 1e-11 a step; the rest is onset located within 1e-10 s"});
+                           "the run's tolerance is 1e-11 a step; the rest is rounding of the gap, within which onset is located"});
   for (const double asked : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
     const Anagnostopoulos linear{1e6, 2.0, asked};
     recorder.verify(fmt::format("anagnostopoulos, e = {:g} [1]", asked), linear.delivered_restitution(),
