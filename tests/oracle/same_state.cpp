@@ -4,6 +4,7 @@
 // States by their poses.
 #include "tests/oracle/same_state.h"
 
+#include "tests/oracle/textbook_contacts.h"
 #include "tests/oracle/textbook_start.h"
 
 namespace gudgeon::oracle {
@@ -11,7 +12,7 @@ namespace gudgeon::oracle {
 SameState make_free_start(const Mechanism& mechanism) {
   SameState state{assemble(mechanism), {}};
   for (const Joint& joint : mechanism.joints) {
-    if (has_clearance(joint.kind)) state.latches.emplace_back();
+    state.latches.resize(state.latches.size() + static_cast<std::size_t>(n_contacts(joint.kind)));
   }
   return state;
 }
