@@ -49,7 +49,7 @@ class Builder {
     if (family_ == Family::redundant) add_redundancy();
     if (family_ == Family::driven || (family_ == Family::clearances && draw_.with_chance(0.5))) add_driver();
     if (family_ == Family::trees) throw_bodies();
-    const bool is_loaded = family_ == Family::loads || draw_.with_chance(0.3);
+    const bool is_loaded = family_ == Family::loads || (family_ != Family::clearances && draw_.with_chance(0.3));
     if (is_loaded) add_loads(mechanism_, draw_);
     return std::move(mechanism_);
   }

@@ -20,9 +20,10 @@ inline constexpr double kEnergyTolerance = 1e-6;
 inline double find_energy_scale(const EnergyLedger& ledger) {
   constexpr double kSpeedsKnown = 1e-7;
   constexpr double kSumsKnown = 1e-12;
+  constexpr double kNoEnergy = 1e-15;  // [J] what rounding makes of forces on a mechanism that cannot move
   const double held =
       std::abs(ledger.initial_energy) + ledger.kinetic + std::abs(ledger.potential) + std::abs(ledger.elastic);
-  return ledger.exchanged + (2.0 * kSpeedsKnown * ledger.kinetic + kSumsKnown * held) / kEnergyTolerance;
+  return ledger.exchanged + (2.0 * kSpeedsKnown * ledger.kinetic + kSumsKnown * held + kNoEnergy) / kEnergyTolerance;
 }
 
 /// The largest residual [J] with which the energy adds up.
