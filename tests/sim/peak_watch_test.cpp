@@ -44,8 +44,9 @@ TEST(PeakWatch, SliderCranksFirstTurnHasItsPeaks) {
 TEST(PeakWatch, NoContactsPeakIsLow) {
   const StageRecord exact = run(oracle::make_slider_crank_clearance(), 1e-10, kTurn);
   ASSERT_GE(exact.events.size(), 5U);
-  // Errors of the motion grow from contact to contact: at loose tolerances the first are compared.
-  for (const auto& [tolerance, n_compared] : {std::pair{1e-4, 5UL}, {1e-5, 10UL}, {1e-6, exact.events.size()}}) {
+  // Errors of the motion grow from contact to contact, at 1e-6 to some percent of the last ones' onset speed: the
+  // first, which are the same impacts, are compared.
+  for (const auto& [tolerance, n_compared] : {std::pair{1e-4, 5UL}, {1e-5, 10UL}, {1e-6, 20UL}}) {
     const StageRecord stage = run(oracle::make_slider_crank_clearance(), tolerance, kTurn);
     ASSERT_GE(stage.events.size(), n_compared);
     for (std::size_t k = 0; k < n_compared; ++k) {
