@@ -34,7 +34,7 @@ TEST(StoppedCases, LightlyLoadedContactsOnWornSurfaces) {
 
 // The crank's angle comes to one value as the tolerance does; what is left at 1e-10 is its own error.
 TEST(StoppedCases, AChangePointIsPassedAtEveryTolerance) {
-  constexpr double kAngle = 112.8432845;  // [rad] after 3 s, to the digits that 1e-12 and 1e-13 share
+  constexpr double kAngle = 112.8366278;  // [rad] after 3 s, to the digits that 1e-12 and 1e-13 share
   for (const auto& [tolerance, error] : {std::pair{"1e-10", 1e-6}, {"1e-11", 3e-7}, {"1e-12", 1e-7}, {"1e-13", 1e-7}}) {
     const auto stages = run_case("change_point_tight", {{"study.relative_tolerance", tolerance}});
     ASSERT_EQ(stages.size(), 1U);
