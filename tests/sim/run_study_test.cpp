@@ -82,11 +82,11 @@ TEST(RunStudy, EveryStageRunsOnWhatTheOneBeforeLeft) {
       << "each starts from the assembled position";
 }
 
-// A law that runs in over 1 km: slid a centimetre a stage, magnified ten million times, the second stage is past it and
-// wears as one without running in, the first is not. Depths are far too small to change the motion.
+// A law that runs in over 1 km: slid a centimetre a stage, magnified twenty million times, the second stage is past it
+// and wears as one without running in, the first is not. Depths are far too small to change the motion.
 TEST(RunStudy, TheDistanceSlidGoesOnMagnified) {
   Study study = make_study(1);
-  study.magnification = 1e7;
+  study.magnification = 2e7;
   study.compare_ideal = false;
   const auto run_with = [&](const AnyWear& wear) {
     Mechanism press = oracle::make_nine_bar();
@@ -101,10 +101,11 @@ TEST(RunStudy, TheDistanceSlidGoesOnMagnified) {
   const auto running_in = run_with(RunningInDistance{9e-30, 1e-30, 1000.0});
   const auto worn_in = run_with(Archard{1e-30});
   for (std::size_t joint = 0; joint < 2; ++joint) {
-    const double slid = 1e7 * worn_in[0].wear[joint].sliding_distance;
+    const double slid = 2e7 * worn_in[0].wear[joint].sliding_distance;
     ASSERT_GT(slid, 1e4) << "ten times the distance of running in";
-    ASSERT_LT(slid * 1e-7, 10.0) << "a hundredth of it, had it not been magnified";
-    EXPECT_NEAR(running_in[1].wear[joint].archard_volume / worn_in[1].wear[joint].archard_volume, 1.0, 1e-3);
+    ASSERT_LT(slid / 2e7, 10.0) << "a hundredth of it, had it not been magnified";
+    // Surfaces that differ by less than an atom let chaotic contacts part by some tenths of a percent.
+    EXPECT_NEAR(running_in[1].wear[joint].archard_volume / worn_in[1].wear[joint].archard_volume, 1.0, 0.01);
     // The first: F constant would give 1 + 8 s_r/s (1 − exp(−s/s_r)).
     EXPECT_GT(running_in[0].wear[joint].archard_volume / worn_in[0].wear[joint].archard_volume, 1.02);
   }

@@ -23,10 +23,12 @@ constexpr double kLeastPenetration = 1e-12;
 
 // The ends of an arc, where pressure goes to zero between elastic bodies, are ramps of this share of it at least: a
 // step there would make a worn surface the rougher the finer its regions.
-constexpr double kSoftEdge = 0.25;
+constexpr double kSoftEdge = 0.1;
 
 // A contact that moves and grows by less than this share of its length within a step does so evenly.
 constexpr double kHardly = 0.1;
+// Parts of the way of a contact that turns back within a step.
+constexpr int kWays = 32;
 // Stages of a step that places are taken from, at most.
 constexpr std::size_t kMostPlaces = 8;
 
@@ -37,6 +39,13 @@ double find_intensity(const ContactSample& sample) noexcept {
 
 double find_place_intensity(const WearDeposit::StepSample& at) noexcept {
   return at.contact->normal_force > 0.0 ? find_intensity(*at.contact) : 0.0;
+}
+
+// Whether a contact that presses throughout slides one way first, then the other.
+bool turns_back(std::span<const WearDeposit::StepSample> places) noexcept {
+  const double first = places.front().contact->slip_speed;
+  return std::ranges::all_of(places, [](const auto& at) { return at.contact->normal_force > 0.0; }) &&
+         std::ranges::any_of(places, [&](const auto& at) { return at.contact->slip_speed * first < 0.0; });
 }
 
 // The shorter way round, where there is one.
@@ -112,8 +121,6 @@ void WearDeposit::add(std::span<const StepSample> samples) noexcept {
     worn.bearing += at.weight * rates.bearing;
     worn.journal += at.weight * rates.journal;
   }
-  sliding_distance_ += slip;
-  volume_ += (worn.bearing + worn.journal) * contacts_.front().width;
   std::array<StepSample, kMostPlaces> places{};
   std::size_t n_places = 0;
   bool is_placed = false;
@@ -123,6 +130,14 @@ void WearDeposit::add(std::span<const StepSample> samples) noexcept {
     is_placed = is_placed || (presses(at) && find_intensity(*at.contact) > 0.0);
   }
   const std::span<const StepSample> known(places.data(), n_places);
+  if (is_placed && turns_back(known)) {
+    const double factor = find_turning_factor(samples, known);
+    slip *= factor;
+    worn.bearing *= factor;
+    worn.journal *= factor;
+  }
+  sliding_distance_ += slip;
+  volume_ += (worn.bearing + worn.journal) * contacts_.front().width;
   if (!is_placed) {
     lay_at(find_place(*last), worn);
   } else if (deposition_ == Deposition::point) {
@@ -159,6 +174,29 @@ WearDeposit::Place WearDeposit::find_place(const StepSample& at) const noexcept 
   return {&sample, at.node, find_place_intensity(at), length, bearing_at, direction - sample.journal_angle};
 }
 
+// Lagrange's polynomials; the intensity is that of the slip and of the force, each by its own.
+WearDeposit::Place WearDeposit::interpolate(std::span<const Place> places, double node) noexcept {
+  Place at = places.front();
+  at.node = node;
+  at.length = at.bearing_at = at.journal_at = 0.0;
+  double slip = 0.0;
+  double force = 0.0;
+  for (const Place& place : places) {
+    double weight = 1.0;
+    for (const Place& other : places) {
+      if (other.node != place.node) weight *= (node - other.node) / (place.node - other.node);
+    }
+    at.length += weight * place.length;
+    at.bearing_at += weight * place.bearing_at;
+    at.journal_at += weight * place.journal_at;
+    slip += weight * place.sample->slip_speed;
+    force += weight * place.sample->normal_force;
+  }
+  at.length = std::max(at.length, kLeastPenetration);
+  at.intensity = std::max(force, 0.0) * std::abs(slip);
+  return at;
+}
+
 void WearDeposit::lay_points(std::span<const StepSample> places, const Amounts& worn) noexcept {
   double whole = 0.0;
   for (const StepSample& at : places) whole += at.share * find_place_intensity(at);
@@ -181,6 +219,17 @@ void WearDeposit::lay_path(std::span<const StepSample> places, const Amounts& wo
   // A contact that begins with the step begins as a point.
   const bool begins = from.node > 0.0;
   if (begins) from.node = from.intensity = from.length = 0.0;
+  if (turns_back(places)) {
+    // One that sticks turns often, and goes nowhere.
+    double way = 0.0;
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      way += find_movement(find_place(places[k - 1]), find_place(places[k]));
+    }
+    if (way > kHardly * (from.length + end.length)) {
+      lay_turning_path(places, worn);
+      return;
+    }
+  }
   if (find_movement(from, end) < kHardly * (from.length + end.length)) {
     lay_between(from, end, worn);
     return;
@@ -201,6 +250,64 @@ void WearDeposit::lay_path(std::span<const StepSample> places, const Amounts& wo
     if (part > 0.0) lay_between(from, to, {part * worn.bearing, part * worn.journal});
     from = to;
   }
+}
+
+// The same where the contact turns back within the step, beyond all of its places perhaps: along the polynomial through
+// them, in many short ways.
+void WearDeposit::lay_turning_path(std::span<const StepSample> samples, const Amounts& worn) noexcept {
+  std::array<Place, kMostPlaces> memory{};
+  const std::span<const Place> places = find_turning_places(samples, memory);
+  const double whole = sum_ways(places);
+  Place from = find_way(places, 0);
+  for (int way = 1; way <= kWays; ++way) {
+    const Place to = find_way(places, way);
+    const double part = whole > 0.0 ? 0.5 * (from.intensity + to.intensity) / (kWays * whole) : 1.0 / kWays;
+    if (part > 0.0) lay_between(from, to, {part * worn.bearing, part * worn.journal});
+    from = to;
+  }
+}
+
+// What the rule of the step, which is meant for smooth integrands, makes of F |v| where v changes its sign, is replaced
+// by the integral over the polynomials.
+double WearDeposit::find_turning_factor(std::span<const StepSample> samples,
+                                        std::span<const StepSample> known) const noexcept {
+  std::array<Place, kMostPlaces> memory{};
+  const std::span<const Place> places = find_turning_places(known, memory);
+  double duration = 0.0;
+  double rule = 0.0;
+  for (const StepSample& at : samples) {
+    duration += at.weight;
+    rule += at.weight * find_place_intensity(at);
+  }
+  const double factor = duration * sum_ways(places) / rule;
+  // Where next to nothing slides the rule may leave nothing, or less.
+  return factor > 0.5 && factor < 2.0 ? factor : 1.0;
+}
+
+std::span<const WearDeposit::Place> WearDeposit::find_turning_places(std::span<const StepSample> samples,
+                                                                     std::span<Place> places) const noexcept {
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    places[k] = find_place(samples[k]);
+    // Not from turn to turn of an angle.
+    places[k].bearing_at =
+        places[0].bearing_at + find_turn(places[k].bearing_at - places[0].bearing_at, slot_length_ == 0.0);
+    places[k].journal_at = places[0].journal_at + find_turn(places[k].journal_at - places[0].journal_at, true);
+  }
+  return places.first(samples.size());
+}
+
+WearDeposit::Place WearDeposit::find_way(std::span<const Place> places, int way) noexcept {
+  const double first = places.front().node;
+  return interpolate(places, first + (places.back().node - first) * way / kWays);
+}
+
+// Mean intensity over the step [W].
+double WearDeposit::sum_ways(std::span<const Place> places) noexcept {
+  double sum = 0.0;
+  for (int way = 0; way <= kWays; ++way) {
+    sum += (way == 0 || way == kWays ? 0.5 : 1.0) * find_way(places, way).intensity;
+  }
+  return sum / kWays;
 }
 
 // How far [m] the contact moves and grows on the surface where it does so more.

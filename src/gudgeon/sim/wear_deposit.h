@@ -66,6 +66,14 @@ class WearDeposit {
   [[nodiscard]] Place find_place(const StepSample& at) const noexcept;
   void lay_points(std::span<const StepSample> places, const Amounts& worn) noexcept;
   void lay_path(std::span<const StepSample> places, const Amounts& worn) noexcept;
+  void lay_turning_path(std::span<const StepSample> samples, const Amounts& worn) noexcept;
+  [[nodiscard]] static Place interpolate(std::span<const Place> places, double node) noexcept;
+  [[nodiscard]] double find_turning_factor(std::span<const StepSample> samples,
+                                           std::span<const StepSample> known) const noexcept;
+  [[nodiscard]] std::span<const Place> find_turning_places(std::span<const StepSample> samples,
+                                                           std::span<Place> places) const noexcept;
+  [[nodiscard]] static Place find_way(std::span<const Place> places, int way) noexcept;
+  [[nodiscard]] static double sum_ways(std::span<const Place> places) noexcept;
   void lay_at(const Place& place, const Amounts& amounts) noexcept;
   [[nodiscard]] double find_movement(const Place& from, const Place& to) const noexcept;
   void lay_between(const Place& from, const Place& to, const Amounts& amounts) noexcept;
