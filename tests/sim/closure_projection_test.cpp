@@ -36,7 +36,7 @@ class Projected {
 
   [[nodiscard]] std::ptrdiff_t n_free() const { return static_cast<std::ptrdiff_t>(equations.n_free()); }
   void eval() { equations.eval(0.0, y.data(), slope.data()); }
-  int project() { return ClosureProjection(system.tables, kTolerance).project(0.0, y, slope, equations); }
+  int project() { return ClosureProjection(system.tables, kTolerance, kTolerance).project(0.0, y, slope, equations); }
 
   // Adds `size` times a fixed random direction to positions (first = 0) or rates.
   void perturb(std::ptrdiff_t first, double size) {
@@ -185,9 +185,10 @@ TEST(ClosureProjection, ClosesWhatIsWithinTolerance) {
     at.perturb(0, 1e-12);
     at.eval();
     const double before = find_largest(at.equations.workspace.closure_gap);
-    ClosureProjection projection(at.system.tables, 1.0);
+    ClosureProjection projection(at.system.tables, 1.0, 1.0);
     EXPECT_FALSE(projection.is_needed(at.equations.workspace)) << mechanism.name;
-    EXPECT_TRUE(ClosureProjection(at.system.tables, 0.1 * before).is_needed(at.equations.workspace)) << mechanism.name;
+    EXPECT_TRUE(ClosureProjection(at.system.tables, 0.1 * before, 1.0).is_needed(at.equations.workspace))
+        << mechanism.name;
     EXPECT_EQ(projection.project(0.0, at.y, at.slope, at.equations), 0) << mechanism.name;
     EXPECT_GE(projection.close(0.0, at.y, at.slope, at.equations), 1) << mechanism.name;
     // Rounding of positions of a metre.

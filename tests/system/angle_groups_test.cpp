@@ -16,6 +16,11 @@
 namespace gudgeon {
 namespace {
 
+AngleGroups find_groups(const Mechanism& mechanism) {
+  const std::vector<JointEnds> ends = find_joint_ends(mechanism);
+  return find_angle_groups(mechanism, ends, find_pinned_bodies(mechanism, ends).pairs);
+}
+
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -32,7 +37,7 @@ Mechanism make_ring(double closing_angle) {
 
 TEST(AngleGroups, RevoluteAndClearanceJointsTieNothing) {
   const Mechanism mechanism = oracle::make_nine_bar();
-  const AngleGroups groups = find_angle_groups(mechanism);
+  const AngleGroups groups = find_groups(mechanism);
   // Eight moving bodies, of which only the slider is tied: to the frame.
   EXPECT_EQ(groups.n_groups, 8);
   EXPECT_EQ(groups.group[0], 0);
@@ -43,7 +48,7 @@ TEST(AngleGroups, RevoluteAndClearanceJointsTieNothing) {
 }
 
 TEST(AngleGroups, OffsetsFollowJointsWrittenEitherWay) {
-  const AngleGroups groups = find_angle_groups(oracle::make_two_slides());
+  const AngleGroups groups = find_groups(oracle::make_two_slides());
   // lower: θ_table = 0.15; upper, written from the carriage: θ_table − θ_carriage = −0.25.
   EXPECT_THAT(groups.group, ElementsAre(0, 0, 0, 1));
   EXPECT_EQ(groups.offset[0], 0.0);
@@ -55,7 +60,7 @@ TEST(AngleGroups, OffsetsFollowJointsWrittenEitherWay) {
 TEST(AngleGroups, AgreeingRingHasOneRedundantTie) {
   for (const double turns : {0.0, 2.0 * std::numbers::pi, -4.0 * std::numbers::pi}) {
     // θ_a − θ_c = 1.1 − 0.3, in any number of turns
-    const AngleGroups groups = find_angle_groups(make_ring(0.8 + turns));
+    const AngleGroups groups = find_groups(make_ring(0.8 + turns));
     EXPECT_EQ(groups.n_groups, 2);
     EXPECT_EQ(groups.ties.size(), 2u);
     EXPECT_EQ(groups.redundant.size(), 1u);
@@ -66,13 +71,13 @@ TEST(AngleGroups, AgreeingRingHasOneRedundantTie) {
 
 TEST(AngleGroups, ConflictingRingIsAnError) {
   for (const double wrong : {1e-8, -1e-8, 0.5, std::numbers::pi}) {
-    const auto found = catch_diagnostics([&] { find_angle_groups(make_ring(0.8 + wrong)); });
+    const auto found = catch_diagnostics([&] { find_groups(make_ring(0.8 + wrong)); });
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].code, "E-MODEL-060");
     EXPECT_THAT(found[0].path, testing::MatchesRegex("joints\\.(ab|bc|ca)\\.relative_angle"));
     EXPECT_THAT(found[0].notes, testing::Not(IsEmpty()));
   }
-  EXPECT_NO_THROW(find_angle_groups(make_ring(0.8 + 1e-10))) << "angles are written with some ten digits";
+  EXPECT_NO_THROW(find_groups(make_ring(0.8 + 1e-10))) << "angles are written with some ten digits";
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "gudgeon/io/explain.h"
 #include "gudgeon/system/assembly.h"
 #include "gudgeon/system/mobility.h"
+#include "gudgeon/system/pinned_remarks.h"
 #include "gudgeon/system/start_check.h"
 #include "gudgeon/system/start_remarks.h"
 
@@ -33,6 +34,7 @@ std::string render_model(ModelFile& model) {
   require_start(model.mechanism, assembly);
   model.diagnostics.append(remark_start(model.mechanism, assembly));
   model.diagnostics.append(remark_ideal_start(model.mechanism, model.study));
+  model.diagnostics.append(remark_pinned_bodies(model.mechanism));
   const bool color = find_color_wanted();
   return render_counts(model.mechanism, find_mobility(model.mechanism), color) +
          render_start(model.mechanism, assembly, color) + render_loops(assembly, color) +

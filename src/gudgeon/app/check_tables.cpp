@@ -11,6 +11,7 @@
 
 #include "gudgeon/app/table_units.h"
 #include "gudgeon/report/table.h"
+#include "gudgeon/system/characteristic_length.h"
 
 namespace gudgeon {
 namespace {
@@ -45,6 +46,17 @@ std::string render_counts(const Mechanism& mechanism, const Mobility& mobility, 
   std::string text = table.render(color);
   for (const std::string& constraint : mobility.redundant_constraints)
     text += fmt::format("  redundant: {}\n", constraint);
+  if (mobility.n_redundant_rows > 0) {
+    text += fmt::format(
+        "  joint forces are the least that balance the loads; moments count as forces at the characteristic length of "
+        "{:.6g} mm\n",
+        find_characteristic_length(mechanism) / kMillimeter);
+  }
+  if (!mobility.held_to_second_order.empty()) {
+    text +=
+        fmt::format("  '{}' is held to second order only: it yields to any load, and a run stops when a joint opens\n",
+                    mobility.held_to_second_order);
+  }
   return text;
 }
 

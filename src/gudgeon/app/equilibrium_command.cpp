@@ -130,7 +130,7 @@ ExitCode run_equilibrium(const EquilibriumOptions& options) {
     return options.all ? find_equilibria(model.mechanism) : std::vector<Equilibrium>{find_equilibrium(model.mechanism)};
   });
   const bool color = find_color_wanted();
-  write_stdout(render_model_title(model) + name_closed_joints(model.mechanism) + warn_redundancy(model.mechanism));
+  write_stdout(render_model_title(model) + name_closed_joints(model.mechanism) + tell_redundancy(model.mechanism));
   if (has_variable_loads(model.mechanism)) write_stdout("Loads that vary are taken as they are at t = 0, at rest.\n");
   if (!options.all) {
     const int n = found.front().iterations;

@@ -158,7 +158,7 @@ ExitCode run_cycle(const KinematicsOptions& options, const ModelFile& model) {
   KinematicPlan plan{find_cycle_time(model.mechanism, model.study), options.cycles, options.samples, {}};
   if (const Driver* driver = find_cycle_driver(model.mechanism, model.study)) plan.driver = driver->name;
   const KinematicRecord record = with_source(model, [&] { return run_kinematics(model.mechanism, plan); });
-  write_stdout(render_model_title(model) + name_closed_joints(model.mechanism) + warn_redundancy(model.mechanism));
+  write_stdout(render_model_title(model) + name_closed_joints(model.mechanism) + tell_redundancy(model.mechanism));
   write_stdout(render_kinematics(record, find_color_wanted()));
   if (!options.directory.empty()) {
     for (const auto& path : export_motion(record.motion, options.directory, options.overwrite)) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "gudgeon/app/command_line.h"
+#include "gudgeon/system/characteristic_length.h"
 #include "gudgeon/system/mobility.h"
 
 namespace gudgeon {
@@ -69,12 +70,13 @@ std::string name_closed_joints(const Mechanism& mechanism) {
                      one ? "is" : "are");
 }
 
-std::string warn_redundancy(const Mechanism& mechanism) {
+std::string tell_redundancy(const Mechanism& mechanism) {
   const int n_redundant = find_mobility(make_ideal(mechanism)).n_redundant_rows;
   if (n_redundant == 0) return {};
   return fmt::format(
-      "{} redundant constraint{} nothing here: the joint forces are one of many ways to share the load.\n", n_redundant,
-      n_redundant == 1 ? " carries" : "s carry");
+      "{} redundant constraint{}: of the many ways to share the load, joint forces are the least (moments as forces at "
+      "{:.6g} mm).\n",
+      n_redundant, n_redundant == 1 ? "" : "s", 1e3 * find_characteristic_length(mechanism));
 }
 
 void reject(const ModelError& error, const ModelFile& model) {

@@ -44,8 +44,8 @@ void require_sound_mechanism(const ModelFile& model);
 std::string render_model_title(const ModelFile& model);
 /// "The clearance joints A, B are taken as ideal.", a line; nothing without such joints.
 std::string name_closed_joints(const Mechanism& mechanism);
-/// That joint forces are one of many ways to share the load, a line; nothing where no constraint is redundant.
-std::string warn_redundancy(const Mechanism& mechanism);
+/// That joint forces are the least of many ways to share the load, a line; nothing where no constraint is redundant.
+std::string tell_redundancy(const Mechanism& mechanism);
 /// A ModelError met later, told in terms of the model's file.
 [[noreturn]] void reject(const ModelError& error, const ModelFile& model);
 

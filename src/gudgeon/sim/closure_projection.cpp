@@ -22,40 +22,43 @@ double find_largest(const std::vector<Vec2>& residual) noexcept {
   return largest;
 }
 
-ClosureProjection::ClosureProjection(const Tables& tables, double tolerance)
+ClosureProjection::ClosureProjection(const Tables& tables, double tolerance, double most_open)
     : tables_(&tables),
       tolerance_(tolerance),
+      most_open_(most_open),
       residual_(tables.closures.size()),
       correction_(static_cast<std::size_t>(tables.counts.n_free())) {}
 
 // What a gap does to the motion grows towards a singular position, and so does the care that it takes.
-double ClosureProjection::find_tolerance(const Workspace& workspace) const noexcept {
-  return tolerance_ / std::max(1.0, find_singular_closeness(*tables_, workspace));
+ClosureProjection::Tolerances ClosureProjection::find_tolerances(const Workspace& workspace) const noexcept {
+  const double closeness = std::max(1.0, find_singular_closeness(*tables_, workspace));
+  return {std::min(tolerance_, most_open_) / closeness, tolerance_ / closeness};
 }
 
 bool ClosureProjection::is_needed(Workspace& workspace) const noexcept {
   update_closures(*tables_, workspace);
-  const double off = std::max(find_largest(workspace.closure_gap), find_largest(workspace.closure_rate));
-  return !(off <= find_tolerance(workspace));  // NaN needs it too
+  const auto [gap, rate] = find_tolerances(workspace);
+  // NaN needs it too.
+  return !(find_largest(workspace.closure_gap) <= gap && find_largest(workspace.closure_rate) <= rate);
 }
 
 int ClosureProjection::project(double t, std::vector<double>& y, std::vector<double>& slope,
                                MotionEquations& equations) {
-  return correct(find_tolerance(equations.workspace), t, y, slope, equations);
+  return correct(find_tolerances(equations.workspace), t, y, slope, equations);
 }
 
 int ClosureProjection::close(double t, std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations) {
-  return correct(0.0, t, y, slope, equations);
+  return correct({}, t, y, slope, equations);
 }
 
-int ClosureProjection::correct(double tolerance, double t, std::vector<double>& y, std::vector<double>& slope,
+int ClosureProjection::correct(Tolerances tolerances, double t, std::vector<double>& y, std::vector<double>& slope,
                                MotionEquations& equations) {
   Workspace& workspace = equations.workspace;
   if (correction_.empty()) return 0;
   int n_corrections = 0;
   for (const bool rates : {false, true}) {
     const std::vector<Vec2>& current = rates ? workspace.closure_rate : workspace.closure_gap;
-    if (find_largest(current) <= tolerance) continue;
+    if (find_largest(current) <= (rates ? tolerances.rate : tolerances.gap)) continue;
     residual_ = current;
     find_correction(*tables_, residual_, workspace, correction_.data());
     // Beside a singular position a correction would move the mechanism far for a gap that is next to nothing.

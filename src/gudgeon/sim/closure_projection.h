@@ -13,8 +13,9 @@ namespace gudgeon {
 /// Corrects a state by the least change, weighted with mass, that closes the loops again. Holds its own scratch memory.
 class ClosureProjection {
  public:
-  /// Closures off by no more than `tolerance` [m, m/s] are left alone; beside a singular position less is let pass.
-  ClosureProjection(const Tables& tables, double tolerance);
+  /// Closures off by no more than `tolerance` [m, m/s], and open by no more than `most_open` [m], are left alone;
+  /// beside a singular position less is let pass.
+  ClosureProjection(const Tables& tables, double tolerance, double most_open);
 
   /// Corrects positions, then rates, of the state y that `equations` were last evaluated for, and evaluates the slope
   /// again after each correction. Returns how many there were: 0, 1 or 2.
@@ -25,12 +26,17 @@ class ClosureProjection {
   [[nodiscard]] bool is_needed(Workspace& workspace) const noexcept;
 
  private:
-  [[nodiscard]] double find_tolerance(const Workspace& workspace) const noexcept;
-  int correct(double tolerance, double t, std::vector<double>& y, std::vector<double>& slope,
+  struct Tolerances {
+    double gap = 0.0;
+    double rate = 0.0;
+  };
+  [[nodiscard]] Tolerances find_tolerances(const Workspace& workspace) const noexcept;
+  int correct(Tolerances tolerances, double t, std::vector<double>& y, std::vector<double>& slope,
               MotionEquations& equations);
 
   const Tables* tables_;
   double tolerance_;
+  double most_open_;
   std::vector<Vec2> residual_;
   std::vector<double> correction_;
 };

@@ -12,13 +12,15 @@
 #include <span>
 
 #include "gudgeon/sim/kinematic_channels.h"
+#include "gudgeon/system/characteristic_length.h"
 
 namespace gudgeon {
 
 namespace {
 
-// A rate below this share of its peak is zero but for rounding.
-constexpr double kNoRate = 1e-11;
+// A rate below this share of the mechanism's largest one, and a fold below this share of its own peak, is zero but for
+// rounding.
+constexpr double kNothing = 1e-11;
 // What happens between samples is looked for at this many points a cycle at least: two dead centres that lie closer
 // together than a degree of the driver are one halt.
 constexpr int kLeastLooks = 720;
@@ -32,6 +34,7 @@ class CycleRun {
         driver_(find_driver()),
         watch_(solver_, driver_),
         channels_(solver_, watch_),
+        length_(find_characteristic_length(solver_.system().mechanism)),
         coordinates_(watch_.list_coordinates()) {
     rates_.resize(coordinates_.size());
     folds_.resize(solver_.folds().folds().size());
@@ -88,12 +91,26 @@ class CycleRun {
   void look() {
     watch_.update();
     points_.push_back(solver_.point());
-    for (std::size_t k = 0; k < coordinates_.size(); ++k) rates_[k].push_back(watch_.find_rate(coordinates_[k]));
+    for (std::size_t k = 0; k < coordinates_.size(); ++k) {
+      rates_[k].push_back(watch_.find_rate(coordinates_[k]));
+      largest_rate_ = std::max(largest_rate_, std::abs(rates_[k].back()) / find_unit(coordinates_[k]));
+    }
+    const CoordinateCounts& counts = solver_.system().tables.counts;
+    const std::vector<DrivenValue>& driven = solver_.workspace().coordinates.driven;
+    for (int d = 0; d < static_cast<int>(driven.size()); ++d) {
+      const bool slides = d >= counts.n_driven_turns && d < counts.n_driven();
+      largest_rate_ = std::max(largest_rate_, std::abs(driven[d].rate) / (slides ? length_ : 1.0));
+    }
     for (std::size_t f = 0; f < folds_.size(); ++f) {
       const LoopFold& fold = solver_.folds().folds()[f];
       folds_[f].push_back(watch_.find_fold(fold));
       if (fold.is_dyad) transmissions_[f].push_back(watch_.find_transmission(fold));
     }
+  }
+
+  // What a coordinate is measured in: 1 rad, or the characteristic length [m].
+  [[nodiscard]] double find_unit(MotionWatch::Coordinate coordinate) const {
+    return coordinate.body >= 0 ? 1.0 : length_;
   }
 
   void fail() {
@@ -126,7 +143,8 @@ class CycleRun {
 
   void find_dead_centres(std::size_t k) {
     const MotionWatch::Coordinate coordinate = coordinates_[k];
-    for (const SignChange& change : list_sign_changes(rates_[k], rates_[k].size())) {
+    const double nothing = kNothing * largest_rate_ * find_unit(coordinate);
+    for (const SignChange& change : list_sign_changes(rates_[k], rates_[k].size(), nothing)) {
       const auto rate = [&] { return watch_.find_rate(coordinate); };
       if (!watch_.move_to_zero(rate, points_[change.before], points_[change.after].time)) continue;
       // Just beyond the end is the beginning of the next cycle.
@@ -146,13 +164,12 @@ class CycleRun {
     bool falls;
   };
 
-  static std::vector<SignChange> list_sign_changes(const std::vector<double>& values, std::size_t n) {
-    double peak = 0.0;
-    for (const double value : values) peak = std::max(peak, std::abs(value));
+  // Of values that are more than nothing.
+  static std::vector<SignChange> list_sign_changes(const std::vector<double>& values, std::size_t n, double nothing) {
     std::vector<SignChange> changes;
     std::size_t last = n;  // point of the last sign
     for (std::size_t i = 0; i < n; ++i) {
-      if (std::abs(values[i]) <= kNoRate * peak) continue;
+      if (std::abs(values[i]) <= nothing) continue;
       if (last < n && (values[i] > 0.0) != (values[last] > 0.0)) changes.push_back({last, i, values[last] > 0.0});
       last = i;
     }
@@ -186,11 +203,15 @@ class CycleRun {
     watch_.update();
   }
 
+  // Where loops imply each other, one may pass its straight fold while the others lead it on: no branch ends there.
   void find_branch_changes(std::size_t f) {
+    if (has_free_rows(solver_.system().tables)) return;
     const LoopFold& fold = solver_.folds().folds()[f];
     const auto side = [&] { return watch_.find_fold(fold); };
     if (points_.empty()) return;
-    for (const SignChange& change : list_sign_changes(folds_[f], count_points())) {
+    double peak = 0.0;
+    for (const double value : folds_[f]) peak = std::max(peak, std::abs(value));
+    for (const SignChange& change : list_sign_changes(folds_[f], count_points(), kNothing * peak)) {
       if (!watch_.move_to_zero(side, points_[change.before], points_[change.after].time)) continue;
       record_.branch_changes.push_back({find_joint_name(fold), watch_.find_time(), !change.falls});
     }
@@ -214,6 +235,8 @@ class CycleRun {
   int driver_;
   MotionWatch watch_;
   KinematicChannels channels_;
+  double length_;              // [m] characteristic
+  double largest_rate_ = 0.0;  // [rad/s] of any coordinate or driver, displacements as shares of the length
   std::vector<MotionWatch::Coordinate> coordinates_;
   std::vector<MotionPoint> points_;                 // looked at: samples, points between them, and one beyond the end
   std::vector<std::vector<double>> rates_;          // one a coordinate and point

@@ -9,12 +9,18 @@
 #include <limits>
 #include <utility>
 
+#include "gudgeon/system/characteristic_length.h"
+
 namespace gudgeon {
 
 namespace {
 
 // Closure errors above this share of the absolute tolerance are projected away.
 constexpr double kProjectionShare = 0.1;
+// Beyond this share of the characteristic length a closure is projected, whatever the tolerances.
+constexpr double kClosedShare = 5e-10;
+// Beyond this share it is open: no rounding and no lenient tolerance leaves so much.
+constexpr double kOpenShare = 1e-6;
 // A step is at most this share of a cycle, so that no motion of the mechanism is jumped over.
 constexpr double kLargestStepShare = 0.02;
 // An implicit step that follows on explicit ones held short starts by so much longer.
@@ -34,34 +40,37 @@ std::vector<double> list_bristle_scales(const Tables& tables) {
 
 }  // namespace
 
-MotionIntegrator::MotionIntegrator(const System& system, const Study& study, double cycle_time)
-    : system_(system),
+MotionIntegrator::MotionIntegrator(const System& given, const Study& study, double cycle_time)
+    : own_system_(has_free_rows(given.tables) ? std::make_unique<System>(given) : nullptr),
+      system_(own_system_ ? *own_system_ : given),
       study_(study),
       longest_step_(study.max_step > 0.0 ? std::min(study.max_step, kLargestStepShare * cycle_time)
                                          : kLargestStepShare * cycle_time),
-      equations_(system, study.stabilization == Stabilization::baumgarte
-                             ? Feedback{study.baumgarte_alpha, study.baumgarte_beta}
-                             : Feedback{}),
-      tolerance_(study, static_cast<std::size_t>(system.tables.counts.n_free_turns), 2 * equations_.n_free(),
-                 list_bristle_scales(system.tables)),
-      projection_(system.tables, kProjectionShare * study.absolute_tolerance),
+      length_(find_characteristic_length(given.mechanism)),
+      equations_(system_, study.stabilization == Stabilization::baumgarte
+                              ? Feedback{study.baumgarte_alpha, study.baumgarte_beta}
+                              : Feedback{}),
+      tolerance_(study, static_cast<std::size_t>(system_.tables.counts.n_free_turns), 2 * equations_.n_free(),
+                 list_bristle_scales(system_.tables)),
+      projection_(system_.tables, kProjectionShare * study.absolute_tolerance, kClosedShare * length_),
       passage_(equations_.size(), study.absolute_tolerance + study.relative_tolerance),
-      events_(system.tables),
-      scratch_(system.tables),
+      events_(system_.tables),
+      scratch_(system_.tables),
       y_(equations_.size(), 0.0),
       slope_(equations_.size(), 0.0),
-      gaps_(system.tables.contacts.size()),
-      end_gaps_(system.tables.contacts.size()) {
+      gaps_(system_.tables.contacts.size()),
+      end_gaps_(system_.tables.contacts.size()) {
+  if (own_system_) row_choice_.emplace(*own_system_);
   if (study.integrator != Integrator::stiff) {
     explicit_ = std::make_unique<ExplicitStepper>(equations_, statistics_, tolerance_, kFirstStepShare * cycle_time);
   }
   if (study.integrator == Integrator::stiff ||
-      (study.integrator == Integrator::automatic && system.tables.n_bristles > 0)) {
-    const bool projects = study.stabilization == Stabilization::projection && !system.tables.closures.empty();
+      (study.integrator == Integrator::automatic && system_.tables.n_bristles > 0)) {
+    const bool projects = study.stabilization == Stabilization::projection && !system_.tables.closures.empty();
     stiff_ = std::make_unique<StiffStepper>(equations_, statistics_, tolerance_, projects ? &projection_ : nullptr,
                                             longest_step_);
   }
-  if (study.integrator == Integrator::automatic && !system.tables.contacts.empty() && !stiff_) {
+  if (study.integrator == Integrator::automatic && !system_.tables.contacts.empty() && !stiff_) {
     implicit_ = std::make_unique<ImplicitStepper>(equations_, statistics_, tolerance_, kFirstStepShare * cycle_time);
   }
   stepper_ = explicit_ ? static_cast<Stepper*>(explicit_.get()) : stiff_.get();
@@ -231,6 +240,7 @@ void MotionIntegrator::accept(double milestone) {
   // Gaps at a change of contact are where they have to be: its closures wait for the next step.
   if (!changing_contact_ && settle() > 0) events_.find_gaps(equations_.workspace, equations_.latches, end_gaps_);
   std::swap(gaps_, end_gaps_);
+  if (!changing_contact_) choose_rows();
   if (!stepper_->projects_closures()) {
     passage_.note(time_, y_, slope_, find_singular_closeness(system_.tables, equations_.workspace));
   }
@@ -244,6 +254,26 @@ int MotionIntegrator::settle() {
   statistics_.projections += n_corrections;
   statistics_.evaluations += n_corrections;
   return n_corrections;
+}
+
+// The motion is the same whichever rows are enforced; only its equations are others.
+void MotionIntegrator::choose_rows() {
+  while (row_choice_ && row_choice_->update(*own_system_, equations_.workspace)) {
+    scratch_.fit(system_.tables);
+    evaluate_again();
+    note_usual_pivots(own_system_->tables, equations_.workspace);
+    passage_.forget();
+    continues_ = false;
+  }
+}
+
+std::optional<std::size_t> MotionIntegrator::open_closure() const {
+  const std::vector<Vec2>& gaps = equations_.workspace.closure_gap;
+  for (std::size_t c = 0; c < gaps.size(); ++c) {
+    const double unit = system_.tables.closures[c].kind == ClosureKind::angle ? 1.0 : length_;
+    if (!(norm(gaps[c]) <= kOpenShare * unit)) return c;
+  }
+  return std::nullopt;
 }
 
 void MotionIntegrator::interpolate(double time, std::vector<double>& y) const {

@@ -20,12 +20,13 @@
 #include "gudgeon/sim/singular_passage.h"
 #include "gudgeon/sim/stiff_stepper.h"
 #include "gudgeon/sim/stiffness_watch.h"
+#include "gudgeon/system/row_choice.h"
 
 namespace gudgeon {
 
 /// Advances one motion. Steps are controlled by their local error and the energy ledger; a contact's change ends its
 /// step, an onset being located just before the surfaces touch, and its speed latched; loop closures are
-/// projected when they need it. Allocates nothing after construction.
+/// projected when they need it. Allocates nothing after construction, but where closure rows are exchanged.
 class MotionIntegrator {
  public:
   MotionIntegrator(const System& system, const Study& study, double cycle_time);
@@ -37,6 +38,8 @@ class MotionIntegrator {
   /// the smallest; the last accepted state then stays.
   bool advance(double milestone);
 
+  /// What moves: the system given, or a copy of it where its closure rows are chosen anew as it moves.
+  [[nodiscard]] const System& system() const { return system_; }
   [[nodiscard]] double time() const { return time_; }
   /// Shorter steps than this [s] are given up.
   [[nodiscard]] double find_smallest_step() const noexcept { return gudgeon::find_smallest_step(time_, longest_step_); }
@@ -61,6 +64,9 @@ class MotionIntegrator {
   }
   /// The contact that changes at the end of the step. Its latch is turned when the next step begins.
   [[nodiscard]] std::optional<std::size_t> changing_contact() const { return changing_contact_; }
+  /// A closure that can no longer be kept closed: it is open by more than a millionth of the characteristic length, or
+  /// off by more than a millionth of a radian.
+  [[nodiscard]] std::optional<std::size_t> open_closure() const;
   /// The state at a time within the last step.
   void interpolate(double time, std::vector<double>& y) const;
 
@@ -83,13 +89,17 @@ class MotionIntegrator {
   void turn_latch(std::size_t contact);
   void accept(double milestone);
   int settle();
+  void choose_rows();
 
+  std::unique_ptr<System> own_system_;  // where rows are chosen anew
   const System& system_;
   const Study& study_;
   double longest_step_;  // [s]
+  double length_;        // [m] characteristic
   MotionEquations equations_;
   ErrorTolerance tolerance_;
   ClosureProjection projection_;
+  std::optional<RowChoice> row_choice_;  // where constraints imply each other
   SingularPassage passage_;
   ContactEvents events_;
   Workspace scratch_;

@@ -27,12 +27,12 @@ constexpr double kNearlySingular = 1e6;
 }  // namespace
 
 StageRun::StageRun(const System& system, const Study& study, double cycle_time, std::string name)
-    : system_(system),
-      study_(study),
+    : study_(study),
       motion_(system, study, cycle_time),
-      recorder_(system),
+      system_(motion_.system()),
+      recorder_(motion_.system()),
       history_(system.tables.contacts.size(), study.warm_up_cycles * cycle_time),
-      peaks_(system, motion_.equations(), recorder_, history_),
+      peaks_(system_, motion_.equations(), recorder_, history_),
       scratch_(system.tables),
       warm_up_end_(study.warm_up_cycles * cycle_time),
       end_((study.warm_up_cycles + study.cycles) * cycle_time),
@@ -43,8 +43,8 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
   record_.name = std::move(name);
   record_.cycle_time = cycle_time;
   record_.start_time = warm_up_end_;
-  const std::span<const Contact> contacts(system.tables.contacts);
-  for (const ContactGroup& group : system.tables.contact_groups) {
+  const std::span<const Contact> contacts(system_.tables.contacts);
+  for (const ContactGroup& group : system_.tables.contact_groups) {
     const auto first = static_cast<std::size_t>(group.first_contact);
     const auto n = static_cast<std::size_t>(group.end_contact) - first;
     wear_.emplace_back(contacts.subspan(first, n), study.deposition, study.regions, study.magnification);
@@ -79,6 +79,7 @@ StageRecord StageRun::run(const State& start, const std::stop_token& stop,
     }
     take_step(step_start);
     stop_outside_slots();
+    stop_open();
     if (const int percent = static_cast<int>(100.0 * motion_.time() / end_); percent > reported) {
       reported = percent;
       const auto told = Clock::now();
@@ -205,6 +206,21 @@ void StageRun::stop_outside_slots() {
   }
 }
 
+// What goes on with a joint that came apart would be another mechanism.
+void StageRun::stop_open() {
+  const std::optional<std::size_t> open = motion_.open_closure();
+  if (!open || record_.status != StageStatus::finished) return;
+  const bool is_angle = system_.tables.closures[*open].kind == ClosureKind::angle;
+  const double gap = norm(motion_.equations().workspace.closure_gap[*open]);
+  record_.status = StageStatus::failed;
+  record_.message = fmt::format(
+      "E-NUM-007: stopped at t = {:.9g} s (cycle {}): {} can no longer be held together, it is open by {}; the other "
+      "joints hold it to second order only, or they leave it no way on",
+      motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1,
+      name_closure(system_.mechanism, system_.topology, system_.topology.closures[*open]),
+      is_angle ? fmt::format("{:.3g} deg", gap * 180.0 / std::numbers::pi) : fmt::format("{:.3g} um", 1e6 * gap));
+}
+
 // All samples that fall into the step just taken.
 void StageRun::sample_until(double time) {
   const MotionEquations& equations = motion_.equations();
@@ -218,6 +234,7 @@ void StageRun::sample_until(double time) {
       motion_.interpolate(at, interpolated_);
     }
     const double* y = interpolated_.data();
+    scratch_.fit(system_.tables);
     equations.load_bristles(y, scratch_);
     eval_dynamics(system_.tables, at, y, y + equations.n_free(), equations.latches, equations.feedback(), scratch_);
     recorder_.sample(at, scratch_, equations.latches, initial_energies_.total(), y + equations.n_states());

@@ -38,14 +38,15 @@ class StageRun {
   void open_contact(std::size_t contact);
   void note_contact_change(std::size_t contact);
   void stop_outside_slots();
+  void stop_open();
   void sample_until(double time);
   void fail(const std::string& code, const std::string& reason);
   bool fail_at_law_end();
   void finish();
 
-  const System& system_;
   const Study& study_;
   MotionIntegrator motion_;
+  const System& system_;  // the one that moves
   StageRecorder recorder_;
   ContactHistory history_;
   PeakWatch peaks_;

@@ -29,14 +29,16 @@ std::optional<double> find_relative_angle(const AnyJoint& joint) {
   return std::nullopt;
 }
 
-std::vector<RelativeAngle> find_relative_angles(const Mechanism& mechanism) {
+std::vector<RelativeAngle> find_relative_angles(const Mechanism& mechanism, const std::vector<JointEnds>& ends,
+                                                const std::vector<PinnedPair>& pairs) {
   std::vector<RelativeAngle> found;
-  for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
-    const Joint& joint = mechanism.joints[j];
-    if (const auto angle = find_relative_angle(joint.kind)) {
-      const auto [first, second] = anchors(joint.kind);
-      found.push_back({j, find_body(mechanism, first.body), find_body(mechanism, second.body), *angle});
+  for (std::size_t j = 0; j < ends.size(); ++j) {
+    if (const auto angle = find_relative_angle(mechanism.joints[j].kind)) {
+      found.push_back({static_cast<int>(j), ends[j].first.body, ends[j].second.body, *angle});
     }
+  }
+  for (const PinnedPair& pair : pairs) {
+    found.push_back({pair.joint, ends[pair.joint].first.body, ends[pair.joint].second.body, pair.relative_angle});
   }
   return found;
 }
@@ -47,6 +49,14 @@ void throw_if_conflicting(const Mechanism& mechanism, const RelativeAngle& relat
   if (std::abs(difference) < 1e-9) return;
   Diagnostics diagnostics;
   const std::string& name = mechanism.joints[relative.joint].name;
+  if (!find_relative_angle(mechanism.joints[relative.joint].kind)) {
+    diagnostics.error("E-MODEL-060", "joints." + name,
+                      fmt::format("joint '{}' pins two bodies a second time and so holds them at {} rad to each other, "
+                                  "but guides and rigid joints already hold them at {} rad",
+                                  name, relative.angle, implied),
+                      {"make the angles agree, or pin the bodies once"});
+    throw ModelError(diagnostics);
+  }
   diagnostics.error("E-MODEL-060", "joints." + name + ".relative_angle",
                     fmt::format("joint '{}': relative_angle is {} rad, but other guides and rigid joints already hold "
                                 "the two bodies at {} rad",
@@ -57,11 +67,16 @@ void throw_if_conflicting(const Mechanism& mechanism, const RelativeAngle& relat
 
 }  // namespace
 
-AngleGroups find_angle_groups(const Mechanism& mechanism) {
+AngleGroups find_angle_groups(const Mechanism& mechanism, const std::vector<JointEnds>& ends,
+                              const std::vector<PinnedPair>& pairs) {
   const int n_bodies = static_cast<int>(mechanism.bodies.size());
   AngleGroups groups{std::vector<int>(n_bodies, -1), std::vector<double>(n_bodies, 0.0), {}, {}, 0};
-  const std::vector<RelativeAngle> relatives = find_relative_angles(mechanism);
+  const std::vector<RelativeAngle> relatives = find_relative_angles(mechanism, ends, pairs);
   std::vector<bool> used(relatives.size(), false);
+  std::vector<std::vector<std::size_t>> at_body(n_bodies);
+  for (std::size_t k = 0; k < relatives.size(); ++k) {
+    for (const int body : {relatives[k].first, relatives[k].second}) at_body[body].push_back(k);
+  }
 
   for (int seed = 0; seed < n_bodies; ++seed) {
     if (groups.group[seed] >= 0) continue;
@@ -70,9 +85,9 @@ AngleGroups find_angle_groups(const Mechanism& mechanism) {
     while (!open.empty()) {
       const int body = open.back();
       open.pop_back();
-      for (std::size_t k = 0; k < relatives.size(); ++k) {
+      for (const std::size_t k : at_body[body]) {
         const RelativeAngle& relative = relatives[k];
-        if (used[k] || (relative.first != body && relative.second != body)) continue;
+        if (used[k]) continue;
         used[k] = true;
         const int other = relative.first == body ? relative.second : relative.first;
         const double step = relative.first == body ? relative.angle : -relative.angle;

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "gudgeon/model/mechanism.h"
+#include "gudgeon/system/pinned_bodies.h"
 
 namespace gudgeon {
 
@@ -18,8 +18,9 @@ struct AngleGroups {
   int n_groups = 0;
 };
 
-/// Joins bodies by their prismatic and rigid joints. The frame is in group 0 with offset 0.
-/// Throws ModelError when a ring of such joints asks for two different relative angles.
-AngleGroups find_angle_groups(const Mechanism& mechanism);
+/// Joins bodies by their prismatic and rigid joints, and where they are pinned twice. The frame is in group 0 with
+/// offset 0. Throws ModelError when a ring of such joints asks for two different relative angles.
+AngleGroups find_angle_groups(const Mechanism& mechanism, const std::vector<JointEnds>& ends,
+                              const std::vector<PinnedPair>& pairs);
 
 }  // namespace gudgeon

@@ -9,8 +9,8 @@
 
 namespace gudgeon {
 
-/// Calls visit(row, index, value) for the entries of one closure's rows, 0 and 1, with the index that the coordinate has
-/// in the tables: free ones come first, driven ones stand behind the rows, the frame is the bin. An index may come
+/// Calls visit(row, index, value) for the entries of one closure's rows, 0 and 1, with the index that the coordinate
+/// has in the tables: free ones come first, driven ones stand behind the rows, the frame is the bin. An index may come
 /// several times; its values add up.
 template <class Visit>
 void visit_closure_entries(const Tables& tables, const Coordinates& at, const ClosureRows& rows, Visit&& visit) {

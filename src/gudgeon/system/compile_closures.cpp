@@ -10,11 +10,6 @@ namespace gudgeon {
 
 namespace {
 
-Path find_anchor_path(const Mechanism& mechanism, const Topology& topology, const Anchor& anchor) {
-  const int body = find_body(mechanism, anchor.body);
-  return topology.find_path(body, find_point(mechanism.bodies[body], anchor.point)->position);
-}
-
 // The line of a prismatic joint or slot, in the axes of the first body's turn.
 Vec2 find_along(const AnyJoint& joint, const BodyNode& first) {
   const Rotation along = make_rotation(first.offset + find_line_direction(joint));
@@ -29,16 +24,15 @@ double find_path_length(const Path& path) {
 
 // Second point minus first, and minus the driven displacement of a driven prismatic joint.
 Path find_loop(const Mechanism& mechanism, const Topology& topology, int joint) {
-  const AnyJoint& kind = mechanism.joints[joint].kind;
-  const auto [first, second] = anchors(kind);
-  Path loop = find_anchor_path(mechanism, topology, second);
-  for (Term term : find_anchor_path(mechanism, topology, first)) {
+  const auto& [first, second] = topology.ends[joint];
+  Path loop = topology.find_path(second.body, second.point);
+  for (Term term : topology.find_path(first.body, first.point)) {
     term.vector = -term.vector;
     loop.push_back(term);
   }
   if (topology.joint_slide[joint] >= 0) {
-    const BodyNode& node = topology.bodies[find_body(mechanism, first.body)];
-    loop.push_back({node.turn, topology.joint_slide[joint], -find_along(kind, node)});
+    const BodyNode& node = topology.bodies[first.body];
+    loop.push_back({node.turn, topology.joint_slide[joint], -find_along(mechanism.joints[joint].kind, node)});
   }
   // Terms that both paths share cancel to nothing.
   const double length = find_path_length(loop);
@@ -55,7 +49,7 @@ void add_joint(const Mechanism& mechanism, const Topology& topology, ClosureRows
   }
   if (rows.kind != ClosureKind::line) return;
   const AnyJoint& kind = mechanism.joints[rows.joint].kind;
-  const BodyNode& first = topology.bodies[find_body(mechanism, anchors(kind).first.body)];
+  const BodyNode& first = topology.bodies[topology.ends[rows.joint].first.body];
   rows.line_turn = first.turn;
   rows.normal = perp(find_along(kind, first));
 }

@@ -11,4 +11,7 @@ namespace gudgeon {
 /// Fills tables.closures and tables.closure_terms, all but their slots. `active` has one entry a closure.
 void compile_closures(const Mechanism& mechanism, const Topology& topology, const ActiveRows& active, Tables& tables);
 
+/// Counts, drivers and closures alone: enough to assemble a mechanism and to count its rows, not to move it.
+Tables compile_loops(const Mechanism& mechanism, const Topology& topology);
+
 }  // namespace gudgeon

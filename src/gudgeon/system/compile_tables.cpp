@@ -29,7 +29,7 @@ namespace {
 class TableCompiler {
  public:
   TableCompiler(const Mechanism& mechanism, const Topology& topology, const ActiveRows* active_rows)
-      : mechanism_(mechanism), topology_(topology), kinetic_(sum_kinetic_terms(mechanism, topology)) {
+      : mechanism_(mechanism), topology_(topology) {
     tables_.counts = topology.counts;
     tables_.driven = topology.driven;
     choose_difference_steps(mechanism, tables_.driven);
@@ -43,7 +43,13 @@ class TableCompiler {
     tables_.n_indices = tables_.n_solve + topology.counts.n_driven() + 1;
   }
 
+  Tables compile_loops() {
+    compile_closures(mechanism_, topology_, active_, tables_);
+    return std::move(tables_);
+  }
+
   Tables compile() {
+    kinetic_ = sum_kinetic_terms(mechanism_, topology_);
     compile_closures(mechanism_, topology_, active_, tables_);
     collect_pattern();
     number_slots();
@@ -257,6 +263,10 @@ class TableCompiler {
 
 Tables compile_tables(const Mechanism& mechanism, const Topology& topology, const ActiveRows* active_rows) {
   return TableCompiler(mechanism, topology, active_rows).compile();
+}
+
+Tables compile_loops(const Mechanism& mechanism, const Topology& topology) {
+  return TableCompiler(mechanism, topology, nullptr).compile_loops();
 }
 
 }  // namespace gudgeon

@@ -16,49 +16,49 @@ namespace {
 class EliminationGraph {
  public:
   EliminationGraph(int n, int n_constraints, const std::vector<std::pair<int, int>>& pattern)
-      : n_coordinates_(n - n_constraints), neighbours_(n), waiting_for_(n, 0), eliminated_(n, false) {
+      : neighbours_(n), waiting_for_(n, 0), constraints_of_(n) {
+    const int n_coordinates = n - n_constraints;
     for (const auto& [row, column] : pattern) {
       assert(row != column);
       neighbours_[row].insert(column);
       neighbours_[column].insert(row);
       const auto [low, high] = std::minmax(row, column);
-      if (high >= n_coordinates_ && low < n_coordinates_) {
-        constraints_of_.emplace_back(low, high);
+      if (high >= n_coordinates && low < n_coordinates) {
+        constraints_of_[low].push_back(high);
         ++waiting_for_[high];
       }
     }
+    for (int i = 0; i < n; ++i) {
+      if (waiting_for_[i] == 0) ready_.emplace(neighbours_[i].size(), i);
+    }
   }
 
-  [[nodiscard]] int find_next() const {
-    int best = -1;
-    for (int i = 0; i < static_cast<int>(neighbours_.size()); ++i) {
-      if (eliminated_[i] || waiting_for_[i] > 0) continue;
-      if (best < 0 || neighbours_[i].size() < neighbours_[best].size()) best = i;
-    }
-    return best;
-  }
+  // The first one with the fewest neighbours.
+  [[nodiscard]] int find_next() const { return ready_.begin()->second; }
 
   std::set<int> eliminate(int index) {
-    eliminated_[index] = true;
+    ready_.erase({neighbours_[index].size(), index});
     std::set<int> front = std::move(neighbours_[index]);
     for (const int a : front) {
+      const bool is_ready = waiting_for_[a] == 0;
+      if (is_ready) ready_.erase({neighbours_[a].size(), a});
       neighbours_[a].erase(index);
       for (const int b : front) {
         if (a != b) neighbours_[a].insert(b);
       }
+      if (is_ready) ready_.emplace(neighbours_[a].size(), a);
     }
-    for (const auto& [coordinate, constraint] : constraints_of_) {
-      if (coordinate == index) --waiting_for_[constraint];
+    for (const int constraint : constraints_of_[index]) {
+      if (--waiting_for_[constraint] == 0) ready_.emplace(neighbours_[constraint].size(), constraint);
     }
     return front;
   }
 
  private:
-  int n_coordinates_;
   std::vector<std::set<int>> neighbours_;
-  std::vector<int> waiting_for_;  // coordinates that a constraint row still waits for
-  std::vector<std::pair<int, int>> constraints_of_;
-  std::vector<bool> eliminated_;
+  std::vector<int> waiting_for_;                  // coordinates that a constraint row still waits for
+  std::vector<std::vector<int>> constraints_of_;  // one list a coordinate
+  std::set<std::pair<std::size_t, int>> ready_;   // neighbours, and index, of what waits for nothing
 };
 
 }  // namespace

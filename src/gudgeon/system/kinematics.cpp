@@ -90,6 +90,7 @@ KinematicSolver::KinematicSolver(const Mechanism& mechanism)
       folds_(system_.mechanism, system_.topology, system_.tables),
       workspace_(system_.tables),
       size_(find_longest_vector(system_.tables)) {
+  if (has_free_rows(system_.tables)) row_choice_.emplace(system_);
   next_.q = make_state(system_, assemble(system_.mechanism)).q;
   next_.v.assign(next_.q.size(), 0.0);
   next_.a.assign(next_.q.size(), 0.0);
@@ -212,6 +213,7 @@ bool KinematicSolver::move_to(double time) {
     const bool last = std::abs(step) >= std::abs(left);
     if (try_step(last ? time : point_.time + step)) {
       std::swap(point_, next_);
+      choose_rows();
       step *= 2.0;
       continue;
     }
@@ -250,7 +252,22 @@ double KinematicSolver::find_unit(std::size_t coordinate) const {
 
 void KinematicSolver::return_to(const MotionPoint& point) {
   point_ = point;
+  evaluate_point();
+  choose_rows();
+}
+
+void KinematicSolver::evaluate_point() {
   eval_dynamics(system_.tables, point_.time, point_.q.data(), point_.v.data(), {}, {}, workspace_);
+}
+
+// The determinant's sign is that of the rows enforced: it is taken anew where they change, at a position between
+// singular ones.
+void KinematicSolver::choose_rows() {
+  while (row_choice_ && row_choice_->update(system_, workspace_)) {
+    evaluate_point();
+    note_usual_pivots(system_.tables, workspace_);
+    orientation_ = find_orientation();
+  }
 }
 
 void KinematicSolver::fail(MotionFailure::Kind kind) {

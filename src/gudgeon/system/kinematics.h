@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gudgeon/system/loop_folds.h"
+#include "gudgeon/system/row_choice.h"
 #include "gudgeon/system/system.h"
 #include "gudgeon/system/workspace.h"
 
@@ -62,6 +63,8 @@ class KinematicSolver {
   [[nodiscard]] bool closes_beyond(double direction);
   bool close_loops();
   bool find_motion();
+  void evaluate_point();
+  void choose_rows();
   void update(double time);
   [[nodiscard]] double find_orientation() const;
   [[nodiscard]] double find_largest_rate(const MotionPoint& point) const;
@@ -71,6 +74,7 @@ class KinematicSolver {
   System system_;
   LoopFolds folds_;
   Workspace workspace_;
+  std::optional<RowChoice> row_choice_;  // where constraints imply each other
   MotionPoint point_;
   MotionPoint next_;
   double size_ = 1.0;         // longest vector of any closure [m]

@@ -20,7 +20,8 @@ struct Mobility {
   int n_unknowns = 0;            ///< coordinates that gudgeon integrates
   int n_closure_rows = 0;        ///< loop closures that gudgeon solves with them
   std::vector<std::string> redundant_constraints;  ///< in words, with the joint's name
-  bool singular_start = false;                     ///< the start position has a lower rank than its neighbours
+  std::string held_to_second_order;  ///< a body or guide that no row sees move and that cannot move; empty without any
+  bool singular_start = false;       ///< the start position has a lower rank than its neighbours
 };
 
 /// Counts and finds redundant constraints at the assembled start position. Throws ModelError as assemble() does.

@@ -5,12 +5,15 @@
 #include "gudgeon/system/redundancy.h"
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <random>
 
 #include "gudgeon/system/dynamics.h"
+#include "gudgeon/system/sparse_closures.h"
 
 namespace gudgeon {
 
@@ -23,50 +26,56 @@ using Eigen::VectorXd;
 // Far enough for singular values to rise well above the rank threshold, near enough to stay on the same branch.
 constexpr double kNeighbourDistance = 1e-2;
 // Dependent rows look independent where the loops do not close; this is far below the rank threshold.
-constexpr double kClosedShare = 1e-11;
+constexpr double kNeighbourClosedShare = 1e-11;
 // Directions tried before a dependence of rows counts as permanent. Where several loops are singular at once, the
 // position lies on several branches, some more than there are loops, and only on few of them all rows come free.
 constexpr int kProbes = 24;
+// A direction that is left by all but this share on the way back to closed loops leads nowhere.
+constexpr double kLeadingShare = 0.05;
+// With more free directions than this, finding those that lead nowhere would take too long.
+constexpr Index kMostFreeDirections = 60;
+
+// Uneven numbers in (-1, 1), so that no symmetry of the mechanism is kept by accident.
+VectorXd make_uneven(Index size, int seed) {
+  std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
+  VectorXd numbers(size);
+  for (Index k = 0; k < size; ++k) numbers(k) = 2.0 * static_cast<double>(random()) / 4294967296.0 - 1.0;
+  return numbers;
+}
 
 class RankProbe {
  public:
   explicit RankProbe(const Tables& tables) : tables_(tables), workspace_(tables), rest_(tables.counts.n_free(), 0.0) {}
 
-  MatrixXd find_jacobian(double t, const VectorXd& q) {
+  SparseMatrix find_jacobian(double t, const VectorXd& q) {
     update(t, q);
-    return find_closure_jacobian(tables_, workspace_);
+    return find_sparse_jacobian(tables_, workspace_.coordinates);
   }
 
-  // A position near q that still closes: drivers moved on, free motion followed in one of many directions. None where
-  // the way back to closed loops was not found.
-  std::optional<VectorXd> find_neighbour(double t, const VectorXd& q, int direction_index) {
-    const MatrixXd jacobian = find_jacobian(t, q);
-    Eigen::FullPivLU<MatrixXd> lu(jacobian);
-    lu.setThreshold(kRankThreshold);
+  // A position that closes, as near as possible to the one that a step along a direction leads to. None where the way
+  // to closed loops was not found.
+  std::optional<VectorXd> find_neighbour(double t, const VectorXd& q, const VectorXd& direction) {
     VectorXd neighbour = q;
-    if (lu.dimensionOfKernel() > 0) {
-      const MatrixXd kernel = lu.kernel();
-      // Uneven weights, so that no symmetry of the mechanism is kept by accident.
-      VectorXd weights(kernel.cols());
-      for (Index k = 0; k < weights.size(); ++k) {
-        const double uneven = 1.0 + 0.37 * static_cast<double>(k);
-        weights(k) = std::cos(direction_index * uneven) / uneven;
-      }
-      const VectorXd direction = kernel * weights;
-      neighbour += kNeighbourDistance * direction / direction.cwiseAbs().maxCoeff();
-    }
+    const double longest = direction.size() > 0 ? direction.cwiseAbs().maxCoeff() : 0.0;
+    if (longest > 1e-9) neighbour += kNeighbourDistance * direction / longest;
     // Levenberg-Marquardt damped with the gap goes to the nearest branch, where Newton's steps near a singular position
     // only halve the way back to it.
+    Eigen::SimplicialLDLT<SparseMatrix> factors;
+    SparseMatrix identity(q.size(), q.size());
+    identity.setIdentity();
+    double size = 0.0;
     for (int iteration = 0; iteration < 60; ++iteration) {
-      const MatrixXd at = find_jacobian(t, neighbour);
+      const SparseMatrix at = find_jacobian(t, neighbour);
+      size = std::sqrt((at.cwiseProduct(at) * VectorXd::Ones(at.cols())).maxCoeff());
       const VectorXd gaps = find_closure_gaps(workspace_);
-      if (gaps.isZero(0.0)) break;
-      MatrixXd normal = at.transpose() * at;
-      normal.diagonal().array() += gaps.norm() * at.rowwise().norm().maxCoeff();
-      neighbour -= normal.ldlt().solve(at.transpose() * gaps);
+      if (gaps.norm() <= 1e-3 * kNeighbourClosedShare * size) break;
+      const SparseMatrix normal = at.transpose() * at + gaps.norm() * size * identity;
+      if (iteration == 0) factors.analyzePattern(normal);
+      factors.factorize(normal);
+      neighbour -= factors.solve(at.transpose() * gaps);
     }
-    const double size = find_jacobian(t, neighbour).rowwise().norm().maxCoeff();
-    if (!(find_closure_gaps(workspace_).norm() <= kClosedShare * size)) return std::nullopt;
+    update(t, neighbour);
+    if (!(find_closure_gaps(workspace_).norm() <= kNeighbourClosedShare * size)) return std::nullopt;
     return neighbour;
   }
 
@@ -95,29 +104,61 @@ double find_small_time(const std::vector<DrivenValue>& driven) {
   return std::isfinite(soonest) ? soonest : 0.0;
 }
 
+// The free coordinate that moves most in the directions that no row sees and yet nothing moves in; -1 without any.
+// Steps along all of them are taken at once, in as many mixtures as there are directions and a few more.
+int find_held_coordinate(RankProbe& probe, double t, const VectorXd& here, const MatrixXd& basis) {
+  if (basis.cols() == 0 || basis.cols() > kMostFreeDirections) return -1;
+  MatrixXd ways(basis.cols(), 0);
+  for (int k = 0; k < 2 * basis.cols() + 6; ++k) {
+    const VectorXd direction = basis * make_uneven(basis.cols(), k);
+    const auto neighbour = probe.find_neighbour(t, here, direction);
+    if (!neighbour) continue;
+    ways.conservativeResize(Eigen::NoChange, ways.cols() + 1);
+    ways.rightCols(1) = basis.transpose() * (*neighbour - here) / kNeighbourDistance;
+  }
+  if (ways.cols() < basis.cols()) return -1;
+  const Eigen::JacobiSVD<MatrixXd> decomposition(ways, Eigen::ComputeFullU);
+  const VectorXd singular = decomposition.singularValues();
+  const double least = singular(singular.size() - 1);
+  if (singular(0) > kLeadingShare && least >= kLeadingShare * singular(0)) return -1;
+  const VectorXd nowhere = basis * decomposition.matrixU().col(basis.cols() - 1);
+  Index held = 0;
+  nowhere.cwiseAbs().maxCoeff(&held);
+  return static_cast<int>(held);
+}
+
 }  // namespace
 
 Redundancy find_redundancy(const Tables& tables, double t, const std::vector<double>& q) {
   RankProbe probe(tables);
   const VectorXd here = VectorXd::Map(q.data(), static_cast<Index>(q.size()));
-  const RowRank rank_here = find_row_rank(tables, probe.find_jacobian(t, here));
+  const RowSpace rows_here(probe.find_jacobian(t, here));
+  const RowRank rank_here = find_row_rank(tables, rows_here);
   // Where drivers hold everything there is nowhere to go.
-  if (rank_here.rank == tables.n_rows || q.empty()) return {rank_here.active, tables.n_rows - rank_here.rank, false};
+  if (rank_here.rank == tables.n_rows || q.empty())
+    return {rank_here.active, tables.n_rows - rank_here.rank, false, -1};
 
   RowRank best = rank_here;
   VectorXd best_at = here;
   const double later = t + find_small_time(probe.driven());
   for (int probes = 0; probes < kProbes && best.rank < tables.n_rows; ++probes) {
     // From here anew, and from the best so far, where independent loops come free one after the other.
-    const auto neighbour = probe.find_neighbour(later, probes % 2 == 0 ? here : best_at, probes / 2);
+    const VectorXd& from = probes % 2 == 0 ? here : best_at;
+    const RowSpace rows(probe.find_jacobian(t, from));
+    const VectorXd direction = rows.find_free_part(make_uneven(here.size(), probes / 2));
+    const auto neighbour = probe.find_neighbour(later, from, direction);
     // Back where it began nothing is learned.
     if (!neighbour || (later == t && (*neighbour - here).cwiseAbs().maxCoeff() < 0.1 * kNeighbourDistance)) continue;
-    const RowRank rank = find_row_rank(tables, probe.find_jacobian(later, *neighbour));
+    const RowRank rank = find_row_rank(tables, RowSpace(probe.find_jacobian(later, *neighbour)));
     if (rank.rank <= best.rank) continue;
     best = rank;
     best_at = *neighbour;
   }
-  return {best.active, tables.n_rows - best.rank, best.rank > rank_here.rank};
+  Redundancy found{best.active, tables.n_rows - best.rank, best.rank > rank_here.rank, -1};
+  if (!found.singular && here.size() - rank_here.rank <= kMostFreeDirections) {
+    found.held_coordinate = find_held_coordinate(probe, t, here, rows_here.find_free_basis());
+  }
+  return found;
 }
 
 }  // namespace gudgeon

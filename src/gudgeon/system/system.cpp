@@ -9,6 +9,7 @@
 
 #include "gudgeon/system/dynamics.h"
 #include "gudgeon/system/redundancy.h"
+#include "gudgeon/system/row_choice.h"
 
 namespace gudgeon {
 
@@ -61,19 +62,21 @@ State make_state(const System& system, const Assembly& assembly) {
 System compile(const Mechanism& mechanism, const Assembly& assembly) {
   System system{mechanism, find_topology(mechanism), {}};
   system.tables = compile_tables(mechanism, system.topology);
-  const Redundancy redundancy = find_redundancy(system.tables, 0.0, make_state(system, assembly).q);
+  const State state = make_state(system, assembly);
+  const Redundancy redundancy = find_redundancy(system.tables, 0.0, state.q);
   if (redundancy.n_redundant_rows > 0) {
     system.tables = compile_tables(mechanism, system.topology, &redundancy.active);
   }
-  if (!redundancy.singular) {
-    Workspace workspace(system.tables);
-    const State state = make_state(system, assembly);
-    const std::vector<ContactLatch> open(system.tables.contacts.size());
-    eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), open, {}, workspace);
-    system.tables.usual_pivots.resize(workspace.inverse_pivots.size());
-    std::ranges::transform(workspace.inverse_pivots, system.tables.usual_pivots.begin(),
-                           [](double inverse) { return 1.0 / inverse; });
+  if (redundancy.singular) return system;
+  Workspace workspace(system.tables);
+  const std::vector<ContactLatch> open(system.tables.contacts.size());
+  const auto evaluate = [&] { eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), open, {}, workspace); };
+  evaluate();
+  if (has_free_rows(system.tables)) {
+    RowChoice choice(system);
+    while (choice.update(system, workspace)) evaluate();
   }
+  note_usual_pivots(system.tables, workspace);
   return system;
 }
 

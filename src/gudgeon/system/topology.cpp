@@ -7,11 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
-#include <tuple>
 
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/system/angle_groups.h"
+#include "gudgeon/system/spanning_tree.h"
 
 namespace gudgeon {
 
@@ -24,20 +23,18 @@ namespace {
   throw ModelError(diagnostics);
 }
 
-// An edge of the graph that the tree is grown on.
-struct Edge {
-  int joint;
-  int first;
-  int second;
-  bool adds_slide;  // a free prismatic joint: costs one unknown in the tree, one row outside it
-};
-
 class TopologyBuilder {
  public:
-  explicit TopologyBuilder(const Mechanism& mechanism) : mechanism_(mechanism), groups_(find_angle_groups(mechanism)) {
+  explicit TopologyBuilder(const Mechanism& mechanism)
+      : mechanism_(mechanism),
+        index_(mechanism),
+        ends_(find_joint_ends(mechanism)),
+        pinned_(find_pinned_bodies(mechanism, ends_)),
+        groups_(find_angle_groups(mechanism, ends_, pinned_.pairs)) {
     topology_.bodies.resize(mechanism.bodies.size());
     topology_.joint_slide.assign(mechanism.joints.size(), -1);
     topology_.redundant_ties = groups_.redundant;
+    topology_.pinned = pinned_.pairs;
     for (const int joint : groups_.ties) topology_.angle_ties.push_back({joint});
   }
 
@@ -48,6 +45,7 @@ class TopologyBuilder {
     number_slides();
     trace_paths();
     collect_closures();
+    topology_.ends = std::move(ends_);
     return std::move(topology_);
   }
 
@@ -64,22 +62,22 @@ class TopologyBuilder {
         continue;
       }
       const DrivenAngle& angle = std::get<DrivenAngle>(driver.target);
-      const int group = groups_.group[find_body(mechanism_, angle.body)];
-      const int against = groups_.group[find_body(mechanism_, angle.against)];
+      const int group = groups_.group[index_.find_body(angle.body)];
+      const int against = groups_.group[index_.find_body(angle.against)];
       if (against != groups_.group[0]) {
         if (group == against) {
-          throw_driver_error(driver, "guides or rigid joints hold the angle between its two bodies",
+          throw_driver_error(driver, "guides, rigid joints or two pins hold the angle between its two bodies",
                              "remove the driver, or join the bodies by a revolute joint");
         }
         relative_drivers_.push_back(d);
         continue;
       }
       if (group == groups_.group[0]) {
-        throw_driver_error(driver, "guides or rigid joints hold its body's angle to the frame",
+        throw_driver_error(driver, "guides, rigid joints or two pins hold its body's angle to the frame",
                            "drive the prismatic joint (slide = \"…\") instead");
       }
       if (angle_driver_[group] >= 0) {
-        throw_driver_error(driver, "its body's angle is driven already, through a guide or rigid joint",
+        throw_driver_error(driver, "its body's angle is driven already, through a guide, a rigid joint or two pins",
                            "remove one of the two drivers");
       }
       angle_driver_[group] = d;
@@ -113,65 +111,40 @@ class TopologyBuilder {
     DrivenMotion motion{index, 0.0, 0.0, driver.motion};
     if (driver.is_uniform()) motion.start = driver.start, motion.speed = driver.speed;
     if (const auto* angle = std::get_if<DrivenAngle>(&driver.target)) {
-      motion.start += groups_.offset[find_body(mechanism_, angle->against)];
-      motion.start -= groups_.offset[find_body(mechanism_, angle->body)];
+      motion.start += groups_.offset[index_.find_body(angle->against)];
+      motion.start -= groups_.offset[index_.find_body(angle->body)];
     }
     return motion;
   }
 
-  // Prim's algorithm: joints without a new unknown first, then the shortest path to the frame, then the model's order.
   void grow_tree() {
-    std::vector<Edge> edges;
+    std::vector<TreeEdge> edges;
     for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
       const AnyJoint& kind = mechanism_.joints[j].kind;
       if (has_clearance(kind) || std::holds_alternative<PinInSlot>(kind)) continue;
-      const auto [first, second] = anchors(kind);
-      edges.push_back({j, find_body(mechanism_, first.body), find_body(mechanism_, second.body),
-                       std::holds_alternative<Prismatic>(kind) && slide_driver_[j] < 0});
+      const bool adds_slide = std::holds_alternative<Prismatic>(kind) && slide_driver_[j] < 0;
+      edges.push_back({j, ends_[j].first.body, ends_[j].second.body, {!pinned_.is_inner[j], adds_slide}});
     }
-    in_tree_.assign(mechanism_.bodies.size(), false);
+    tree_ = grow_spanning_tree(mechanism_.bodies.size(), edges);
     joint_in_tree_.assign(mechanism_.joints.size(), false);
-    add_root(0);
-    for (std::size_t reached = 1; reached < mechanism_.bodies.size(); ++reached) {
-      if (const Edge* edge = find_next_edge(edges)) {
-        const bool forward = in_tree_[edge->first];
-        const int parent = forward ? edge->first : edge->second;
-        const int child = forward ? edge->second : edge->first;
-        topology_.bodies[child].parent = parent;
-        topology_.bodies[child].joint = edge->joint;
-        topology_.bodies[child].depth = topology_.bodies[parent].depth + 1;
-        joint_in_tree_[edge->joint] = true;
-        in_tree_[child] = true;
-        order_.push_back(child);
-      } else {
-        const int loose = static_cast<int>(std::ranges::find(in_tree_, false) - in_tree_.begin());
-        topology_.loose.push_back({loose, -1});
-        add_root(loose);
-      }
+    for (std::size_t b = 0; b < tree_.links.size(); ++b) {
+      const TreeLink& link = tree_.links[b];
+      topology_.bodies[b].parent = link.parent;
+      topology_.bodies[b].joint = link.joint;
+      topology_.bodies[b].depth = link.depth;
+      if (link.joint >= 0) joint_in_tree_[link.joint] = true;
     }
-  }
-
-  void add_root(int body) {
-    in_tree_[body] = true;
-    order_.push_back(body);
-  }
-
-  const Edge* find_next_edge(const std::vector<Edge>& edges) const {
-    const Edge* best = nullptr;
-    std::tuple<bool, int> best_cost{true, std::numeric_limits<int>::max()};
-    for (const Edge& edge : edges) {
-      if (in_tree_[edge.first] == in_tree_[edge.second]) continue;
-      const int parent = in_tree_[edge.first] ? edge.first : edge.second;
-      const std::tuple cost{edge.adds_slide, topology_.bodies[parent].depth};
-      if (best == nullptr || cost < best_cost) best = &edge, best_cost = cost;
+    for (const int body : tree_.roots) {
+      if (body != 0) topology_.loose.push_back({body, -1});
     }
-    return best;
   }
 
   void number_slides() {
     CoordinateCounts& counts = topology_.counts;
+    loose_slide_.assign(mechanism_.bodies.size(), -1);
     for (auto& [body, slide] : topology_.loose) {
       slide = counts.n_free_slides;
+      loose_slide_[body] = slide;
       counts.n_free_slides += 2;
       topology_.free_slide_joint.insert(topology_.free_slide_joint.end(), {-1, -1});
     }
@@ -191,30 +164,29 @@ class TopologyBuilder {
   // The line of a prismatic joint as a term: along it, scaled by its slide.
   Term line_term(int joint) const {
     const auto& prismatic = std::get<Prismatic>(mechanism_.joints[joint].kind);
-    const BodyNode& first = topology_.bodies[find_body(mechanism_, prismatic.first.body)];
+    const BodyNode& first = topology_.bodies[ends_[joint].first.body];
     const Rotation along = make_rotation(first.offset + prismatic.direction);
     return {first.turn, topology_.joint_slide[joint], {along.c, along.s}};
   }
 
   void trace_paths() {
-    for (const int b : order_) {
+    for (const int b : tree_.order) {
       BodyNode& node = topology_.bodies[b];
       if (node.parent < 0) {
         if (b != 0) node.origin = loose_origin(b);
         continue;
       }
-      const AnyJoint& kind = mechanism_.joints[node.joint].kind;
-      const auto [first, second] = anchors(kind);
-      const bool forward = find_body(mechanism_, first.body) == node.parent;
-      const Anchor& outer = forward ? second : first;
-      const Anchor& inner = forward ? first : second;
-      node.origin = topology_.find_path(node.parent, find_local(inner));
+      const auto& [first, second] = ends_[node.joint];
+      const bool forward = first.body == node.parent;
+      const JointEnd& outer = forward ? second : first;
+      const JointEnd& inner = forward ? first : second;
+      node.origin = topology_.find_path(node.parent, inner.point);
       if (topology_.joint_slide[node.joint] >= 0) {
         Term line = line_term(node.joint);
         if (!forward) line.vector = -line.vector;
         node.origin.push_back(line);
       }
-      const Vec2 back = make_rotation(node.offset) * -find_local(outer);
+      const Vec2 back = make_rotation(node.offset) * -outer.point;
       node.origin.push_back({node.turn, topology_.counts.unit_slide(), back});
     }
   }
@@ -222,7 +194,7 @@ class TopologyBuilder {
   // A loose body's x and y are those of its centre of mass, which decouples them from its angle.
   Path loose_origin(int body) const {
     const CoordinateCounts& counts = topology_.counts;
-    const int slide = (*std::ranges::find(topology_.loose, body, [](const auto& entry) { return entry[0]; }))[1];
+    const int slide = loose_slide_[body];
     const BodyNode& node = topology_.bodies[body];
     const Vec2 back = make_rotation(node.offset) * -mechanism_.bodies[body].center_of_mass;
     return {{counts.frame_turn(), slide, {1.0, 0.0}},
@@ -230,14 +202,14 @@ class TopologyBuilder {
             {node.turn, counts.unit_slide(), back}};
   }
 
-  Vec2 find_local(const Anchor& anchor) const {
-    return find_point(mechanism_.bodies[find_body(mechanism_, anchor.body)], anchor.point)->position;
-  }
-
   void collect_closures() {
     for (int j = 0; j < static_cast<int>(mechanism_.joints.size()); ++j) {
       const AnyJoint& kind = mechanism_.joints[j].kind;
       if (joint_in_tree_[j] || has_clearance(kind)) continue;
+      if (pinned_.is_inner[j]) {
+        topology_.implied.push_back(j);
+        continue;
+      }
       const bool is_line =
           std::holds_alternative<PinInSlot>(kind) || (std::holds_alternative<Prismatic>(kind) && slide_driver_[j] < 0);
       topology_.closures.push_back({j, -1, is_line ? ClosureKind::line : ClosureKind::point});
@@ -249,14 +221,17 @@ class TopologyBuilder {
   }
 
   const Mechanism& mechanism_;
+  AnchorIndex index_;
+  std::vector<JointEnds> ends_;
+  PinnedBodies pinned_;
   AngleGroups groups_;
   Topology topology_;
   std::vector<int> angle_driver_;  // one a group, or -1
   std::vector<int> slide_driver_;  // one a joint, or -1
   std::vector<int> relative_drivers_;
-  std::vector<bool> in_tree_;
+  SpanningTree tree_;
   std::vector<bool> joint_in_tree_;
-  std::vector<int> order_;  // bodies, parents before children
+  std::vector<int> loose_slide_;  // one a body: its x, or -1
 };
 
 }  // namespace

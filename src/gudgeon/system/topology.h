@@ -12,6 +12,7 @@
 
 #include "gudgeon/base/vec2.h"
 #include "gudgeon/model/mechanism.h"
+#include "gudgeon/system/pinned_bodies.h"
 
 namespace gudgeon {
 
@@ -68,7 +69,8 @@ struct Closure {
   ClosureKind kind = ClosureKind::point;
 };
 
-/// A joint that ties the angles of two bodies and is not implied by other such joints.
+/// A joint that ties the angles of two bodies and is not implied by other such joints: a prismatic or rigid one, or the
+/// later of two pins.
 struct AngleTie {
   int joint = 0;
 };
@@ -86,6 +88,7 @@ struct DrivenMotion {
 
 struct Topology {
   CoordinateCounts counts;
+  std::vector<JointEnds> ends;            ///< one a joint
   std::vector<BodyNode> bodies;           ///< one a body
   std::vector<int> joint_slide;           ///< one a joint: its slide, or -1
   std::vector<int> free_slide_joint;      ///< one a free slide: its joint, or -1 for a loose body's x or y
@@ -93,6 +96,8 @@ struct Topology {
   std::vector<Closure> closures;
   std::vector<AngleTie> angle_ties;
   std::vector<int> redundant_ties;   ///< joints whose angle condition others imply
+  std::vector<PinnedPair> pinned;    ///< joints that make two bodies one rigid body
+  std::vector<int> implied;          ///< joints within a rigid body and outside the tree: the others keep them closed
   std::vector<DrivenMotion> driven;  ///< one a driver: turns, then slides, in coordinate order, then angles of closures
 
   /// The path to a point given in a body's own axes.

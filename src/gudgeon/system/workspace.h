@@ -30,6 +30,12 @@ struct Workspace {
         touches(tables.contacts.size(), false),
         loads(tables.loads) {}
 
+  /// Makes room for tables of the same mechanism in which other closure rows are enforced.
+  void fit(const Tables& tables) {
+    values.resize(static_cast<std::size_t>(tables.n_slots));
+    factors.resize(static_cast<std::size_t>(tables.n_slots));
+  }
+
   Coordinates coordinates;
   std::vector<double> values;  ///< matrix entries by slot; after a solve the factors
   std::vector<double> inverse_pivots;
