@@ -40,10 +40,12 @@ Mechanism make_pair(double stretch = 1.0) {
   return mechanism;
 }
 
-PinnedBodies find(const Mechanism& mechanism) { return find_pinned_bodies(mechanism, find_joint_ends(mechanism)); }
+PinnedBodies find_pinned(const Mechanism& mechanism) {
+  return find_pinned_bodies(mechanism, find_joint_ends(mechanism));
+}
 
 TEST(PinnedBodies, TwoPinsTieTheAngle) {
-  const PinnedBodies pinned = find(make_pair());
+  const PinnedBodies pinned = find_pinned(make_pair());
   ASSERT_THAT(pinned.pairs, SizeIs(1));
   EXPECT_EQ(pinned.pairs[0].other, 1);
   EXPECT_EQ(pinned.pairs[0].joint, 2);
@@ -54,14 +56,14 @@ TEST(PinnedBodies, TwoPinsTieTheAngle) {
 }
 
 TEST(PinnedBodies, PinsAtUnequalDistancesTieNothing) {
-  EXPECT_THAT(find(make_pair(1.0 + 1e-6)).pairs, IsEmpty());
-  EXPECT_THAT(find(make_pair(1.0 + 1e-10)).pairs, SizeIs(1)) << "coordinates are written with some ten digits";
+  EXPECT_THAT(find_pinned(make_pair(1.0 + 1e-6)).pairs, IsEmpty());
+  EXPECT_THAT(find_pinned(make_pair(1.0 + 1e-10)).pairs, SizeIs(1)) << "coordinates are written with some ten digits";
 }
 
 TEST(PinnedBodies, OnePinTiesNothing) {
   Mechanism mechanism = make_pair();
   mechanism.joints.pop_back();
-  EXPECT_THAT(find(mechanism).pairs, IsEmpty());
+  EXPECT_THAT(find_pinned(mechanism).pairs, IsEmpty());
 }
 
 TEST(PinnedBodies, PinOfAPairHoldsAThirdBodyWithItsOwn) {
@@ -73,7 +75,7 @@ TEST(PinnedBodies, PinOfAPairHoldsAThirdBodyWithItsOwn) {
   mechanism.bodies.push_back(oracle::make_slender("c", length, 0.5, {}));
   oracle::add_revolute(mechanism, "r", {"a", "r"}, {"c", "a"});
   oracle::add_revolute(mechanism, "s", {"c", "b"}, {"b", "s"});
-  const PinnedBodies pinned = find(mechanism);
+  const PinnedBodies pinned = find_pinned(mechanism);
   EXPECT_THAT(pinned.pairs, SizeIs(2));
   EXPECT_EQ(pinned.rigid_body[1], pinned.rigid_body[3]);
   const Topology topology = find_topology(mechanism);
