@@ -13,19 +13,19 @@
 namespace gudgeon {
 namespace {
 
-using Outcome = LandingSearch::Outcome;
+using SearchOutcome = LandingSearch::Outcome;
 using Side = LandingSearch::Side;
 using Quantity = std::function<WatchedValue(double)>;
 
-struct Result {
-  Outcome outcome;
+struct SearchResult {
+  SearchOutcome outcome;
   double length;
   WatchedValue end;
   int n_tries;
 };
 
 // As a step would be tried: the quantity is known at no other place than the ends of the tries.
-Result search_for(Side side, double longest, double expected, double window, const Quantity& quantity) {
+SearchResult search_for(Side side, double longest, double expected, double window, const Quantity& quantity) {
   LandingSearch search(side, longest, expected, quantity(0.0), quantity(longest));
   int n_tries = 0;
   double last = 0.0;
@@ -45,12 +45,12 @@ WatchedValue rise(double h) { return {std::expm1(h - 0.3), std::exp(h - 0.3)}; }
 TEST(LandingSearch, EndsAHairOnTheSideThatWasAskedFor) {
   for (const double window : {1e-6, 1e-10, 1e-15}) {
     for (const double expected : {0.3, 0.2999, 0.05, 0.99}) {
-      const Result before = search_for(Side::before, 1.0, expected, window, rise);
-      EXPECT_EQ(before.outcome, Outcome::found);
+      const SearchResult before = search_for(Side::before, 1.0, expected, window, rise);
+      EXPECT_EQ(before.outcome, SearchOutcome::found);
       EXPECT_LE(before.end.value, 0.0);
       EXPECT_GE(before.end.value, -2.0 * window);
-      const Result past = search_for(Side::past, 1.0, expected, window, rise);
-      EXPECT_EQ(past.outcome, Outcome::found);
+      const SearchResult past = search_for(Side::past, 1.0, expected, window, rise);
+      EXPECT_EQ(past.outcome, SearchOutcome::found);
       EXPECT_GE(past.end.value, 0.0);
       EXPECT_LE(past.end.value, 2.0 * window);
       EXPECT_LE(past.n_tries, 8) << expected;
@@ -62,12 +62,12 @@ TEST(LandingSearch, EndsAHairOnTheSideThatWasAskedFor) {
 // Below what rounding tells the bracket closes, and the end is on the right side all the same.
 TEST(LandingSearch, StaircaseEndsOnTheRightSide) {
   const auto stairs = [](double h) { return WatchedValue{1e-9 * std::floor((h - 0.3) * 1e9) + 0.5e-9, 1.0}; };
-  const Result before = search_for(Side::before, 1.0, 0.301, 1e-14, stairs);
-  EXPECT_EQ(before.outcome, Outcome::found);
+  const SearchResult before = search_for(Side::before, 1.0, 0.301, 1e-14, stairs);
+  EXPECT_EQ(before.outcome, SearchOutcome::found);
   EXPECT_LE(before.end.value, 0.0);
   EXPECT_NEAR(before.length, 0.3, 1e-9);
-  const Result past = search_for(Side::past, 1.0, 0.301, 1e-14, stairs);
-  EXPECT_EQ(past.outcome, Outcome::found);
+  const SearchResult past = search_for(Side::past, 1.0, 0.301, 1e-14, stairs);
+  EXPECT_EQ(past.outcome, SearchOutcome::found);
   EXPECT_GE(past.end.value, 0.0);
   EXPECT_NEAR(past.length, 0.3, 1e-9);
 }
@@ -80,8 +80,8 @@ Quantity arch(double height) {
 TEST(LandingSearch, ArchIsMetWhereItRises) {
   for (const double height : {1e-2, 1e-6, 1e-10}) {
     for (const double expected : {0.5 - std::sqrt(height), 0.5, 0.5 + 1e-5}) {
-      const Result result = search_for(Side::before, 1.0, expected, 1e-15, arch(height));
-      EXPECT_EQ(result.outcome, Outcome::found) << height << ' ' << expected;
+      const SearchResult result = search_for(Side::before, 1.0, expected, 1e-15, arch(height));
+      EXPECT_EQ(result.outcome, SearchOutcome::found) << height << ' ' << expected;
       EXPECT_LE(result.end.value, 0.0);
       EXPECT_GE(result.end.value, -3e-15);  // the parabola's own rounding is 1e-16
       EXPECT_NEAR(result.length, 0.5 - std::sqrt(height), 1e-9);
@@ -92,8 +92,8 @@ TEST(LandingSearch, ArchIsMetWhereItRises) {
 TEST(LandingSearch, ArchThatStaysBelowIsNoChange) {
   for (const double depth : {1e-2, 1e-8, 1e-13}) {
     for (const double expected : {0.45, 0.5, 0.5 + 1e-7}) {
-      const Result result = search_for(Side::before, 1.0, expected, 1e-15, arch(-depth));
-      EXPECT_EQ(result.outcome, Outcome::none) << depth << ' ' << expected;
+      const SearchResult result = search_for(Side::before, 1.0, expected, 1e-15, arch(-depth));
+      EXPECT_EQ(result.outcome, SearchOutcome::none) << depth << ' ' << expected;
       EXPECT_LE(result.n_tries, 25);
     }
   }
@@ -104,15 +104,15 @@ TEST(LandingSearch, WhatBeginsAHairAboveHasToTurnFirst) {
   const double hair = 1e-10;
   // Touches, and parts at 0.8.
   const auto touch = [&](double h) { return WatchedValue{hair + h * (h - 0.8), 2.0 * h - 0.8}; };
-  Result result = search_for(Side::past, 1.0, 0.8, 1e-13, touch);
-  EXPECT_EQ(result.outcome, Outcome::found);
+  SearchResult result = search_for(Side::past, 1.0, 0.8, 1e-13, touch);
+  EXPECT_EQ(result.outcome, SearchOutcome::found);
   EXPECT_NEAR(result.length, 0.8, 1e-9);
   EXPECT_GE(result.end.value, 0.0);
   // Turns back before it touches; nothing but its turning point says so.
   const auto miss = [&](double h) { return WatchedValue{hair + h * (h - 1e-5), 2.0 * h - 1e-5}; };
   for (const double expected : {0.0, 5e-6, 1e-3}) {
     result = search_for(Side::past, 1.0, expected, 1e-14, miss);
-    EXPECT_EQ(result.outcome, Outcome::found) << expected;
+    EXPECT_EQ(result.outcome, SearchOutcome::found) << expected;
     EXPECT_GE(result.end.rate, 0.0);
     EXPECT_GT(result.end.value, 0.0);
     EXPECT_LE(result.end.value, 2.0 * hair);
@@ -122,21 +122,21 @@ TEST(LandingSearch, WhatBeginsAHairAboveHasToTurnFirst) {
 TEST(LandingSearch, AboveFromTheFirstMomentOn) {
   // On the way up: the change is there from the start.
   const auto up = [](double h) { return WatchedValue{h == 0.0 ? -1e-18 : 1e-3 + h, 1.0}; };
-  Result result = search_for(Side::before, 1.0, 0.2, 1e-15, up);
-  EXPECT_EQ(result.outcome, Outcome::found);
+  SearchResult result = search_for(Side::before, 1.0, 0.2, 1e-15, up);
+  EXPECT_EQ(result.outcome, SearchOutcome::found);
   EXPECT_EQ(result.length, 0.0);
   // On the way down: the step is not to be trusted.
   const auto down = [](double h) { return WatchedValue{h == 0.0 ? -1e-3 : 1e-3, h == 0.0 ? -1.0 : 1.0}; };
   result = search_for(Side::before, 1.0, 0.2, 1e-15, down);
-  EXPECT_EQ(result.outcome, Outcome::impossible);
+  EXPECT_EQ(result.outcome, SearchOutcome::impossible);
 }
 
 TEST(LandingSearch, StepsThatFailAreShortened) {
   const auto broken = [](double h) {
     return h > 0.4 ? WatchedValue{std::numeric_limits<double>::quiet_NaN(), 0.0} : rise(h);
   };
-  const Result result = search_for(Side::before, 1.0, 0.9, 1e-12, broken);
-  EXPECT_EQ(result.outcome, Outcome::found);
+  const SearchResult result = search_for(Side::before, 1.0, 0.9, 1e-12, broken);
+  EXPECT_EQ(result.outcome, SearchOutcome::found);
   EXPECT_NEAR(result.length, 0.3, 1e-11);
 }
 

@@ -25,7 +25,7 @@ ModelFile read_case_file(const std::string& name) {
   return model;
 }
 
-const std::vector<double>& find_values(const StageRecord& stage, const std::string& channel) {
+const std::vector<double>& find_channel(const StageRecord& stage, const std::string& channel) {
   for (std::size_t k = 0; k < stage.channels.size(); ++k) {
     if (stage.channels[k].name == channel) return stage.values[k];
   }
@@ -34,13 +34,13 @@ const std::vector<double>& find_values(const StageRecord& stage, const std::stri
 
 double find_peak(const StageRecord& stage, const std::string& channel) {
   double peak = 0.0;
-  for (const double value : find_values(stage, channel)) peak = std::max(peak, std::abs(value));
+  for (const double value : find_channel(stage, channel)) peak = std::max(peak, std::abs(value));
   return peak;
 }
 
 double find_largest_difference(const StageRecord& stage, const std::string& one, const std::string& other) {
-  const auto& first = find_values(stage, one);
-  const auto& second = find_values(stage, other);
+  const auto& first = find_channel(stage, one);
+  const auto& second = find_channel(stage, other);
   double largest = 0.0;
   for (std::size_t i = 0; i < first.size(); ++i) {
     largest = std::max(largest, std::abs(std::remainder(first[i] - second[i], 2.0 * std::numbers::pi)));

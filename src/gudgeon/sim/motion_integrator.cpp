@@ -24,7 +24,7 @@ constexpr double kOpenShare = 1e-6;
 // A step is at most this share of a cycle, so that no motion of the mechanism is jumped over.
 constexpr double kLargestStepShare = 0.02;
 // An implicit step that follows on explicit ones held short starts by so much longer.
-constexpr double kLonger = 2.0;
+constexpr double kFirstImplicitLonger = 2.0;
 // The first step is this share of a cycle; the error control finds the right one within a few.
 constexpr double kFirstStepShare = 1e-5;
 // Roundings that separate the end of a last step from the milestone that it was made to end at.
@@ -138,7 +138,7 @@ bool MotionIntegrator::calls_for_implicit() {
 void MotionIntegrator::choose_implicit() {
   if (stepper_ == explicit_.get()) {
     if (!calls_for_implicit()) return;
-    implicit_->propose(kLonger * last_step_);
+    implicit_->propose(kFirstImplicitLonger * last_step_);
     use(*implicit_);
   } else if (implicit_watch_.note_implicit_step(last_step_, statistics_.evaluations - n_evaluations_,
                                                 implicit_->find_rates(), implicit_->n_pressing())) {
@@ -172,7 +172,7 @@ bool MotionIntegrator::prepare_retry() {
     retry_with(*explicit_);
     evaluate_again();
   } else if (is_explicit && calls_for_implicit()) {
-    implicit_->propose(kLonger * explicit_->next_step());
+    implicit_->propose(kFirstImplicitLonger * explicit_->next_step());
     retry_with(*implicit_);
   } else {
     return true;
