@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # check_floors.sh ROOT: every source file includes only what its floor may, third-party headers stay in their rooms,
-# and each file has its licence lines and fewer than 300 lines. Prints all that is wrong; fails when anything is.
+# and each file has its licence lines and fewer than 500 lines. Prints all that is wrong; fails when anything is.
 set -euo pipefail
 
 root="${1:?usage: check_floors.sh ROOT}"
@@ -21,7 +21,7 @@ fi
 
 awk -v prefix="$source_root/" '
   BEGIN {
-    max_lines = 300
+    max_lines = 500
     # floor -> the floors it may include besides itself
     may["base"] = ""
     may["geometry"] = "base"
