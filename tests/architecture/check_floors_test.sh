@@ -69,8 +69,8 @@ expect_complaint 'base/bare.h:1: does not begin with its SPDX copyright line'
 
 start_tree
 write_source base/long.cpp
-for ((i = 0; i < 300; i++)); do echo "int value_$i;" >>"$tree/src/gudgeon/base/long.cpp"; done
-expect_complaint 'base/long.cpp:302: has 302 lines, more than 300'
+for ((i = 0; i < 500; i++)); do echo "int value_$i;" >>"$tree/src/gudgeon/base/long.cpp"; done
+expect_complaint 'base/long.cpp:502: has 502 lines, more than 500'
 
 rm -rf "$tree/src"
 expect_complaint 'there is no'
