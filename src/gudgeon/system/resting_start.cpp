@@ -10,7 +10,7 @@
 namespace gudgeon {
 
 bool rests_on_contacts(const System& system, const State& start) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRestRounding = 1e-9;
   Workspace workspace(system.tables);
   BodyMotionFinder finder(system);
   std::vector<ContactLatch> latches(system.tables.contacts.size());
@@ -31,7 +31,7 @@ bool rests_on_contacts(const System& system, const State& start) {
     const Contact& contact = system.tables.contacts[k];
     latches[k].in_contact = find_gap(contact.surfaces, find_contact_motion(contact, workspace)).penetration > 0.0;
   }
-  return find_acceleration() <= (1.0 + kRounding) * free;
+  return find_acceleration() <= (1.0 + kRestRounding) * free;
 }
 
 }  // namespace gudgeon
