@@ -71,7 +71,7 @@ TEST(StartCasesRun, ASingularLoopIsNamedBesideAContact) {
   model.study.compare_ideal = false;
   const auto stages = run_study(model.mechanism, model.study);
   ASSERT_EQ(stages.size(), 1U);
-  if (stages[0].status == StageStatus::finished) return;  // it may swing through
+  ASSERT_EQ(stages[0].status, StageStatus::failed);
   EXPECT_THAT(stages[0].message, HasSubstr("nearest to a singular position: the loop closed by joint 'P3'"));
   EXPECT_THAT(stages[0].message, Not(HasSubstr("stiffest contact")));
 }
