@@ -39,8 +39,11 @@ nine_bar_life() {
 nine_bar_life_1e-4() { nine_bar_life 1e-4; }
 nine_bar_life_1e-6() { nine_bar_life 1e-6; }
 
+# A thousand mechanisms of each random family; the tests stand beside the program.
+random_mechanisms() { GUDGEON_RANDOM_SEEDS=1000 "$(dirname "$program")/random_tests" --gtest_brief=1; }
+
 checks=("$@")
-[ $# -gt 0 ] || checks=(nine_bar_life_1e-4 nine_bar_life_1e-6)
+[ $# -gt 0 ] || checks=(nine_bar_life_1e-4 nine_bar_life_1e-6 random_mechanisms)
 echo "long checks of $("$program" --version) on $(date -u +%F)"
 for check in "${checks[@]}"; do note "$check" "$check"; done
 exit "$failed"
