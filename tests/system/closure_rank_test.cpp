@@ -10,6 +10,7 @@
 #include <random>
 
 #include "gudgeon/system/dynamics.h"
+#include "gudgeon/system/sparse_closures.h"
 #include "gudgeon/system/system.h"
 #include "tests/oracle/mechanism_parts.h"
 #include "tests/oracle/mechanisms.h"
@@ -86,7 +87,7 @@ TEST(RowRank, PrefersEarlierRows) {
       2, 4, 0, 0,          // twice the first
       0, 0, 3, 1,          //
       1, 2, 3, 1;          // the sum of the first and third
-  const RowRank rank = find_row_rank(tables, jacobian);
+  const RowRank rank = find_row_rank(tables, RowSpace(jacobian.sparseView()));
   EXPECT_EQ(rank.rank, 2);
   EXPECT_THAT(rank.active, ElementsAre(Active{true, false}, Active{true, false}));
 }
@@ -96,15 +97,15 @@ TEST(RowRank, CountsASmallButRealRow) {
   const Tables tables = compile_tables(mechanism, find_topology(mechanism));
   MatrixXd jacobian = MatrixXd::Identity(4, 4);
   jacobian(3, 3) = 10.0 * kRankThreshold;
-  EXPECT_EQ(find_row_rank(tables, jacobian).rank, 4);
+  EXPECT_EQ(find_row_rank(tables, RowSpace(jacobian.sparseView())).rank, 4);
   jacobian(3, 3) = 0.1 * kRankThreshold;
-  EXPECT_EQ(find_row_rank(tables, jacobian).rank, 3);
+  EXPECT_EQ(find_row_rank(tables, RowSpace(jacobian.sparseView())).rank, 3);
 }
 
 TEST(RowRank, IgnoresTheSecondRowOfALine) {
   const Mechanism mechanism = oracle::make_slider_crank();
   const Tables tables = compile_tables(mechanism, find_topology(mechanism));
-  const RowRank rank = find_row_rank(tables, MatrixXd::Identity(2, 2));
+  const RowRank rank = find_row_rank(tables, RowSpace(MatrixXd(MatrixXd::Identity(2, 2)).sparseView()));
   EXPECT_EQ(rank.rank, 1);
   EXPECT_THAT(rank.active, ElementsAre(Active{true, false}));
 }

@@ -20,6 +20,7 @@
 #include "gudgeon/system/open_loop.h"
 #include "gudgeon/system/play_start.h"
 #include "gudgeon/system/poses.h"
+#include "gudgeon/system/sparse_closures.h"
 #include "gudgeon/system/start_rates.h"
 
 namespace gudgeon {
@@ -296,7 +297,8 @@ class Assembler {
     for (Joint& joint : undriven.joints) joint.branch.reset();
     Assembler without(undriven, 0.0);
     if (!without.close()) return;
-    const auto rank = find_row_rank(without.tables_, find_closure_jacobian(without.tables_, without.closer_.workspace));
+    const auto rank = find_row_rank(
+        without.tables_, RowSpace(find_sparse_jacobian(without.tables_, without.closer_.workspace.coordinates)));
     const int n_free = without.tables_.counts.n_free() - rank.rank;
     if (n_free < static_cast<int>(mechanism_.drivers.size())) throw_over_driven(mechanism_, n_free);
   }

@@ -27,7 +27,4 @@ struct RowRank {
   ActiveRows active;  ///< a largest independent set of rows, earlier joints preferred
 };
 
-/// Which closure rows are independent of those before them.
-RowRank find_row_rank(const Tables& tables, const Eigen::MatrixXd& jacobian);
-
 }  // namespace gudgeon

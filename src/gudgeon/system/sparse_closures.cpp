@@ -71,11 +71,13 @@ MatrixXd RowSpace::find_free_basis() const {
 
 RowRank find_row_rank(const Tables& tables, const RowSpace& rows) {
   RowRank result;
-  result.rank = rows.rank();
   for (std::size_t c = 0; c < tables.closures.size(); ++c) {
-    const auto row = static_cast<Index>(2 * c);
-    result.active.push_back(
-        {rows.is_independent(row), count_rows(tables.closures[c].kind) == 2 && rows.is_independent(row + 1)});
+    std::array<bool, 2> active{false, false};
+    for (int k = 0; k < count_rows(tables.closures[c].kind); ++k) {
+      active[k] = rows.is_independent(static_cast<Index>(2 * c) + k);
+      if (active[k]) ++result.rank;
+    }
+    result.active.push_back(active);
   }
   return result;
 }
