@@ -65,6 +65,7 @@ VectorXd RowSpace::find_free_part(const VectorXd& vector) const {
 MatrixXd RowSpace::find_free_basis() const {
   if (rank_ == 0) return MatrixXd::Identity(n_, n_);
   MatrixXd basis = MatrixXd::Zero(n_, n_ - rank_);
+  if (rank_ == n_) return basis;
   basis.bottomRows(n_ - rank_).setIdentity();
   return factors_.matrixQ() * basis;
 }
