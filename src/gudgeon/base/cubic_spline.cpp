@@ -7,6 +7,7 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gudgeon {
 
@@ -89,6 +90,20 @@ CubicSpline::Value CubicSpline::eval(double argument) const noexcept {
   return {a * values_[k] + b * values_[k + 1] + (a * (a * a - 1.0) * before + b * (b * b - 1.0) * after) * h * h / 6.0,
           (values_[k + 1] - values_[k]) / h + ((1.0 - 3.0 * a * a) * before + (3.0 * b * b - 1.0) * after) * h / 6.0,
           a * before + b * after};
+}
+
+std::pair<double, double> CubicSpline::find_piece(double argument) const noexcept {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double first = arguments_.front();
+  const double period = arguments_.back() - first;
+  const double shift = periodic_ ? period * std::floor((argument - first) / period) : 0.0;
+  const auto above = std::upper_bound(arguments_.begin(), arguments_.end(), argument - shift);
+  double low = above == arguments_.begin() ? -kInfinity : shift + *(above - 1);
+  double high = above == arguments_.end() ? kInfinity : shift + *above;
+  // Rounding in the shift may put the argument just beyond the last point.
+  if (periodic_ && above == arguments_.begin()) low = shift + first;
+  if (periodic_ && above == arguments_.end()) high = shift + period + arguments_[1];
+  return {low, high};
 }
 
 }  // namespace gudgeon

@@ -4,6 +4,7 @@
 // A smooth curve through given points.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 namespace gudgeon {
@@ -24,6 +25,8 @@ class CubicSpline {
   CubicSpline(std::vector<double> arguments, std::vector<double> values, bool periodic);
 
   [[nodiscard]] Value eval(double argument) const noexcept;
+  /// The points between which the argument lies, at or above the first and below the second; infinite beyond the ends.
+  [[nodiscard]] std::pair<double, double> find_piece(double argument) const noexcept;
 
  private:
   std::vector<double> arguments_;

@@ -95,9 +95,42 @@ const std::vector<std::string>& list_formula_functions() {
 }
 
 struct ExpressionEvaluator::Implementation {
+  // What muParser hands back when it comes by a break.
+  struct MarkedBreak {
+    const Implementation* owner;
+    BreakKind kind;
+    std::size_t index;
+  };
+
   mu::Parser parser;
   std::vector<double> values;  // of all variables; the parser points into it
   std::vector<int> used;
+  MarkedFormula marked;
+  std::vector<MarkedBreak> breaks;  // the parser points into it
+  const int* held = nullptr;        // of the evaluation at hand
+  BreakState* found = nullptr;
+
+  static double eval_marked(void* data, const double* arguments, int n_arguments) {
+    const auto& at = *static_cast<const MarkedBreak*>(data);
+    BreakState unseen;
+    return eval_break(at.kind, arguments, n_arguments,
+                      at.owner->held == nullptr ? kFreePiece : at.owner->held[at.index],
+                      at.owner->found == nullptr ? unseen : at.owner->found[at.index]);
+  }
+
+  // From now on the parser evaluates the formula whose breaks are functions.
+  void mark(const std::string& text) {
+    marked = mark_breaks(text);
+    if (marked.breaks.empty()) return;
+    breaks.reserve(marked.breaks.size());
+    for (const FormulaBreak& at : marked.breaks) {
+      breaks.push_back({this, at.kind, breaks.size()});
+      parser.DefineFunUserData(at.name, eval_marked, &breaks.back(), false);
+    }
+    parser.SetExpr(marked.text);
+    parser.Eval();
+    parser.Eval();
+  }
 };
 
 ExpressionEvaluator::ExpressionEvaluator(const std::string& text,
@@ -139,6 +172,7 @@ ExpressionEvaluator::ExpressionEvaluator(const std::string& text,
     throw ExpressionError("',' outside a function's parentheses: a formula has one value",
                           std::min(text.find(','), text.size()));
   }
+  implementation_->mark(text);
 }
 
 ExpressionEvaluator::ExpressionEvaluator(ExpressionEvaluator&& other) noexcept = default;
@@ -147,8 +181,15 @@ ExpressionEvaluator::~ExpressionEvaluator() = default;
 
 const std::vector<int>& ExpressionEvaluator::used_variables() const { return implementation_->used; }
 
-double ExpressionEvaluator::eval(const double* values) noexcept {
+const std::vector<FormulaBreak>& ExpressionEvaluator::breaks() const { return implementation_->marked.breaks; }
+
+double ExpressionEvaluator::eval(const double* values) noexcept { return eval(values, nullptr, nullptr); }
+
+double ExpressionEvaluator::eval(const double* values, const int* held, BreakState* found) noexcept {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  implementation_->held = held;
+  implementation_->found = found;
+  for (std::size_t k = 0; found != nullptr && k < implementation_->breaks.size(); ++k) found[k].met = false;
   for (const int k : implementation_->used) implementation_->values[k] = values[k];
   try {
     const double value = implementation_->parser.Eval();

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "gudgeon/base/formula_breaks.h"
+
 namespace gudgeon {
 
 /// A formula that cannot be understood: what() says why and names the offending part; position [characters] is where.
@@ -42,6 +44,12 @@ class ExpressionEvaluator {
 
   /// The value for the variables' values, one a variable, in their order. NaN where it has none. Allocates nothing.
   [[nodiscard]] double eval(const double* values) noexcept;
+
+  /// Where the pieces of the formula meet.
+  [[nodiscard]] const std::vector<FormulaBreak>& breaks() const;
+  /// The value with the held pieces, one a break or none at all; what each break was like is written to `found`, where
+  /// there is one. Allocates nothing.
+  [[nodiscard]] double eval(const double* values, const int* held, BreakState* found) noexcept;
 
  private:
   struct Implementation;

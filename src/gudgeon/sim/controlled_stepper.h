@@ -5,10 +5,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "gudgeon/sim/ledger_control.h"
 #include "gudgeon/sim/step_control.h"
 #include "gudgeon/sim/stepper.h"
+#include "gudgeon/sim/work_control.h"
 
 namespace gudgeon {
 
@@ -17,7 +20,10 @@ class ControlledStepper : public Stepper {
  public:
   ControlledStepper(MotionEquations& equations, SolverStatistics& statistics, const ErrorTolerance& tolerance,
                     int n_stages, double first_step)
-      : Stepper(equations, statistics, n_stages), control_(tolerance, first_step) {}
+      : Stepper(equations, statistics, n_stages), control_(tolerance, first_step), shortest_for_works_(first_step) {}
+
+  /// Has the works of loads and drivers keep that relative tolerance, too.
+  void control_works(double relative_tolerance) { works_.emplace(relative_tolerance); }
 
   bool attempt(double longest, double left) final {
     double h = std::min(control_.next_step(), longest);
@@ -27,18 +33,20 @@ class ControlledStepper : public Stepper {
     AttemptedStep step = describe_attempt();
     end_residual_ = equations_.find_residual(step.end.data());
     step.ledger_error = ledger_.find_error(end_residual_, find_exchanged(step.end));
+    if (works_ && h > shortest_for_works_) step.work_error = find_work_error(step);
     return control_.accepts(step);
   }
   void shorten() final { control_.shorten(attempted_); }
   [[nodiscard]] double next_step() const final { return control_.next_step(); }
   void note_onset() final { control_.note_onset(); }
-  /// Starts with a step of that length [s], whatever was proposed.
-  void propose(double h) { control_.propose(h); }
+  void propose(double h) final { control_.propose(h); }
   [[nodiscard]] bool evaluates_end() const final { return true; }
 
  protected:
   /// The last attempt; an error that is not finite where it failed.
   [[nodiscard]] virtual AttemptedStep describe_attempt() const = 0;
+  /// Estimated local error of any component, also of an integral, over the last attempt.
+  [[nodiscard]] virtual double find_error(std::size_t component) const = 0;
   /// The workspace was evaluated at the start of the next step.
   void begin_ledger(const std::vector<double>& y, bool continues) noexcept {
     const bool is_known = continues && was_whole_ && y == end_;
@@ -55,8 +63,21 @@ class ControlledStepper : public Stepper {
     return y[equations_.n_states() + kExchanged];
   }
 
+  [[nodiscard]] double find_work_error(const AttemptedStep& step) const noexcept {
+    const std::size_t first = equations_.n_states();
+    double largest = 0.0;
+    for (const int work : {kLoadWork, kDamperLoss, kDriverWork}) {
+      // Impacts are in the drivers' efforts, and in the ledger.
+      if (work == kDriverWork && !equations_.latches.empty()) continue;
+      largest = std::max(largest, std::abs(find_error(first + static_cast<std::size_t>(work))));
+    }
+    return works_->find_error(largest, find_exchanged(step.start), find_exchanged(step.end));
+  }
+
   StepControl control_;
   LedgerControl ledger_;
+  std::optional<WorkControl> works_;
+  double shortest_for_works_;  // [s] of the steps that works may ask for
   double attempted_ = 0.0;     // [s]
   double end_residual_ = 0.0;  // [J] of the ledger at the end of the attempt
   bool was_whole_ = false;     // the last step was as long as it was attempted

@@ -29,6 +29,7 @@ class ExplicitStepper final : public ControlledStepper {
   [[nodiscard]] AttemptedStep describe_attempt() const override {
     return {formula_.step(), formula_.start(), formula_.end(), formula_.error()};
   }
+  [[nodiscard]] double find_error(std::size_t component) const override { return formula_.find_error(component); }
 
   Tsitouras formula_;
   const ErrorTolerance& tolerance_;

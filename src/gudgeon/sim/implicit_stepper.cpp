@@ -72,16 +72,18 @@ void ImplicitStepper::end_at(double h) {
     equations_.eval(time_ + h, end_.data(), slope_.data());  // whoever looks at the workspace must see that, too
     return;
   }
-  for (std::size_t i = 0; i < error_.size(); ++i) {
-    double sum = 0.0;
-    for (int j = 0; j < kStages; ++j) sum += Esdirk::kErrorWeights[j] * slopes_[j][i];
-    error_[i] = h * sum;
-  }
+  for (std::size_t i = 0; i < error_.size(); ++i) error_[i] = find_error(i);
   for (std::size_t i = error_.size(); i < end_.size(); ++i) {
     double sum = 0.0;
     for (int j = 0; j < kStages; ++j) sum += Esdirk::kWeights[j] * slopes_[j][i];
     end_[i] = start_[i] + h * sum;
   }
+}
+
+double ImplicitStepper::find_error(std::size_t component) const {
+  double sum = 0.0;
+  for (int j = 0; j < kStages; ++j) sum += Esdirk::kErrorWeights[j] * slopes_[j][component];
+  return h_ * sum;
 }
 
 // Newton's method with the contacts' part of the Jacobian, which most often serves for two corrections. A stage's slope

@@ -44,6 +44,7 @@ class ImplicitStepper final : public ControlledStepper, private DenseStep {
   static constexpr int kPast = 2;  // stages of the last step that the next one's are guessed from
 
   [[nodiscard]] AttemptedStep describe_attempt() const override { return {h_, start_, end_, error_}; }
+  [[nodiscard]] double find_error(std::size_t component) const override;
   void interpolate(double share, std::size_t n_wanted, double* y) const noexcept override;
   bool solve_stage(int stage) noexcept;
   void guess_accelerations(int stage) noexcept;

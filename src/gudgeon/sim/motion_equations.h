@@ -53,7 +53,9 @@ class MotionEquations {
         tables_(&system.tables),
         n_free_(static_cast<std::size_t>(system.tables.counts.n_free())),
         n_bristles_(static_cast<std::size_t>(system.tables.n_bristles)),
-        feedback_(feedback) {}
+        feedback_(feedback),
+        acceleration_(n_free_),
+        moved_(2 * n_free_) {}
 
   [[nodiscard]] const Tables& tables() const { return *tables_; }
   [[nodiscard]] std::size_t n_free() const { return n_free_; }
@@ -67,10 +69,8 @@ class MotionEquations {
   }
 
   void eval(double t, const double* y, double* slope) noexcept {
-    const double* q = y;
     const double* v = y + n_free_;
-    load_bristles(y, workspace);
-    eval_dynamics(*tables_, t, q, v, latches, feedback_, workspace);
+    eval_in(t, y, workspace);
     for (std::size_t i = 0; i < n_free_; ++i) {
       slope[i] = v[i];
       slope[n_free_ + i] = workspace.equations[i];
@@ -79,6 +79,16 @@ class MotionEquations {
       if (tables_->contacts[k].bristle >= 0) slope[bristle_at(k)] = workspace.contact_forces[k].bristle_rate;
     }
     eval_powers(slope + n_states());
+  }
+
+  /// Evaluates any workspace with the pieces that it holds of the loads' formulas.
+  void eval_in(double t, const double* y, Workspace& target) noexcept {
+    load_bristles(y, target);
+    if (target.loads.held.surface >= 0) {
+      eval_sliding(t, y, target);
+    } else {
+      eval_dynamics(*tables_, t, y, y + n_free_, latches, feedback_, target);
+    }
   }
 
   /// What a look at the gaps needs of y.
@@ -144,12 +154,19 @@ class MotionEquations {
   std::vector<ContactLatch> latches;
   Workspace workspace;
   double initial_energy = 0.0;  ///< [J] where the integrals are zero
+  double time_scale = 1.0;      ///< [s] of a cycle
 
  private:
+  void eval_sliding(double t, const double* y, Workspace& target) noexcept;
+  double find_argument(double t, const double* q, const double* v, Workspace& target) noexcept;
+  double find_argument_rate(double t, const double* y, Workspace& target) noexcept;
+
   const Tables* tables_;
   std::size_t n_free_;
   std::size_t n_bristles_;
   Feedback feedback_;
+  std::vector<double> acceleration_;  // of one side of a break
+  std::vector<double> moved_;         // coordinates and rates beside a state
 };
 
 }  // namespace gudgeon

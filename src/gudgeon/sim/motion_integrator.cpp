@@ -55,11 +55,13 @@ MotionIntegrator::MotionIntegrator(const System& given, const Study& study, doub
       projection_(system_.tables, kProjectionShare * study.absolute_tolerance, kClosedShare * length_),
       passage_(equations_.size(), study.absolute_tolerance + study.relative_tolerance),
       events_(system_.tables),
+      breaks_(system_, cycle_time, statistics_),
       scratch_(system_.tables),
       y_(equations_.size(), 0.0),
       slope_(equations_.size(), 0.0),
       gaps_(system_.tables.contacts.size()),
-      end_gaps_(system_.tables.contacts.size()) {
+      end_gaps_(system_.tables.contacts.size()),
+      passed_(equations_.size()) {
   if (own_system_) row_choice_.emplace(*own_system_);
   if (study.integrator != Integrator::stiff) {
     explicit_ = std::make_unique<ExplicitStepper>(equations_, statistics_, tolerance_, kFirstStepShare * cycle_time);
@@ -74,6 +76,13 @@ MotionIntegrator::MotionIntegrator(const System& given, const Study& study, doub
     implicit_ = std::make_unique<ImplicitStepper>(equations_, statistics_, tolerance_, kFirstStepShare * cycle_time);
   }
   stepper_ = explicit_ ? static_cast<Stepper*>(explicit_.get()) : stiff_.get();
+  equations_.time_scale = cycle_time;
+  // Where loads are given, works are not known by the motion's own error; where all is driven, there is none.
+  const LoadTables& loads = system.tables.loads;
+  if (!loads.expressions.empty() || !loads.curves.empty() || equations_.n_free() == 0) {
+    if (explicit_) explicit_->control_works(study.relative_tolerance);
+    if (implicit_) implicit_->control_works(study.relative_tolerance);
+  }
 }
 
 bool MotionIntegrator::begin(const State& start) {
@@ -81,6 +90,7 @@ bool MotionIntegrator::begin(const State& start) {
   std::ranges::copy(start.v, y_.begin() + static_cast<std::ptrdiff_t>(equations_.n_free()));
   evaluate_again();
   settle();
+  if (!breaks_.empty() && !change_pieces()) return false;
   equations_.initial_energy = equations_.find_energy();
   events_.find_gaps(equations_.workspace, gaps_);
   return std::ranges::all_of(slope_, [](double s) { return std::isfinite(s); });
@@ -151,14 +161,21 @@ bool MotionIntegrator::advance(double milestone) {
   choose_stepper();
   n_evaluations_ = statistics_.evaluations;
   if (changing_contact_) turn_latch(*std::exchange(changing_contact_, std::nullopt));
+  if (changes_piece_) return change_pieces();
   if (pass_singular_position(milestone)) return true;
   const double longest = std::min(longest_step_, passage_.find_longest_step());
+  const double wanted = stepper_->next_step();
+  if (!breaks_.empty()) milestone = std::min(milestone, next_point_);
   stepper_->begin(time_, y_, slope_, std::exchange(continues_, true));
   while (!attempt_step(longest, milestone - time_)) {
     ++statistics_.rejected_steps;
-    if (!prepare_retry()) return false;
+    if (is_out_of_piece_ ? !retry_with_other_pieces() : !prepare_retry()) return false;
   }
   accept(milestone);
+  if (time_ == next_point_) {
+    changes_piece_ = true;
+    stepper_->propose(std::max(wanted, stepper_->next_step()));
+  }
   return true;
 }
 
@@ -186,7 +203,7 @@ bool MotionIntegrator::prepare_retry() {
 bool MotionIntegrator::pass_singular_position(double milestone) {
   if (!gaps_.empty()) return false;
   const std::optional<double> far_side = passage_.find_far_side();
-  if (!far_side || *far_side >= milestone) return false;
+  if (!far_side || *far_side >= milestone || passes_break(*far_side)) return false;
   passage_.interpolate(*far_side, y_);
   time_ = *far_side;
   last_step_ = 0.0;
@@ -195,6 +212,7 @@ bool MotionIntegrator::pass_singular_position(double milestone) {
   evaluate_again();
   settle();
   passage_.forget();
+  changes_piece_ = !breaks_.empty();
   return true;
 }
 
@@ -237,8 +255,10 @@ void MotionIntegrator::accept(double milestone) {
   y_ = stepper_->end();
   slope_ = stepper_->end_slope();
   strode_ = false;
+  changes_piece_ = landed_ > 0.0 && landed_ == h;
   // Gaps at a change of contact are where they have to be: its closures wait for the next step.
-  if (!changing_contact_ && settle() > 0) events_.find_gaps(equations_.workspace, equations_.latches, end_gaps_);
+  if (!changing_contact_ && !changes_piece_ && settle() > 0)
+    events_.find_gaps(equations_.workspace, equations_.latches, end_gaps_);
   std::swap(gaps_, end_gaps_);
   if (!changing_contact_) choose_rows();
   if (!stepper_->projects_closures()) {

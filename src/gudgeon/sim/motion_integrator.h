@@ -16,6 +16,7 @@
 #include "gudgeon/sim/explicit_stepper.h"
 #include "gudgeon/sim/implicit_stepper.h"
 #include "gudgeon/sim/implicit_watch.h"
+#include "gudgeon/sim/load_breaks.h"
 #include "gudgeon/sim/motion_equations.h"
 #include "gudgeon/sim/singular_passage.h"
 #include "gudgeon/sim/stiff_stepper.h"
@@ -67,6 +68,13 @@ class MotionIntegrator {
   /// A closure that can no longer be kept closed: it is open by more than a millionth of the characteristic length, or
   /// off by more than a millionth of a radian.
   [[nodiscard]] std::optional<std::size_t> open_closure() const;
+  /// Whether a load goes to another piece of its formula or curve at the end of the step. It does so in a step of no
+  /// length that follows.
+  [[nodiscard]] bool changes_piece() const { return changes_piece_; }
+  /// How often loads went to another piece of a formula or curve.
+  [[nodiscard]] std::int64_t n_piece_changes() const { return breaks_.n_changes(); }
+  /// Why no piece of a load could be gone into, when advance() failed for that.
+  [[nodiscard]] const std::optional<LoadBreaks::Stall>& stall() const { return stall_; }
   /// The state at a time within the last step.
   void interpolate(double time, std::vector<double>& y) const;
 
@@ -87,6 +95,11 @@ class MotionIntegrator {
   [[nodiscard]] bool is_gap_passed() const;
   bool land_on_change(const ContactChange& change);
   void turn_latch(std::size_t contact);
+  bool end_at_break();
+  bool land_on_break(const LoadBreaks::Leave& leave);
+  bool change_pieces();
+  bool retry_with_other_pieces();
+  bool passes_break(double far_side);
   void accept(double milestone);
   int settle();
   void choose_rows();
@@ -102,6 +115,7 @@ class MotionIntegrator {
   std::optional<RowChoice> row_choice_;  // where constraints imply each other
   SingularPassage passage_;
   ContactEvents events_;
+  LoadBreaks breaks_;
   Workspace scratch_;
   SolverStatistics statistics_;
   std::unique_ptr<ExplicitStepper> explicit_;  // the steppers that the study permits
@@ -121,6 +135,12 @@ class MotionIntegrator {
   std::vector<GapState> gaps_;      // at the last accepted state
   std::vector<GapState> end_gaps_;  // at the end of an attempt
   std::optional<std::size_t> changing_contact_;
+  std::vector<double> passed_;    // a state within a stride
+  bool changes_piece_ = false;    // a load, at the end of the step
+  bool is_out_of_piece_ = false;  // a load, from the first moment of the attempt on
+  double landed_ = 0.0;           // [s] length of an attempt that ends on a break
+  double next_point_ = 0.0;       // [s] time of the next point of curves over the time
+  std::optional<LoadBreaks::Stall> stall_;
 };
 
 }  // namespace gudgeon

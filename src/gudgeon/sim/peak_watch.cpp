@@ -101,6 +101,7 @@ void PeakWatch::look_into_short_contacts(const MotionIntegrator& motion) {
 void PeakWatch::eval(double time, const std::vector<ContactLatch>& latches) {
   equations_.load_bristles(y_.data(), scratch_);
   scratch_.fit(system_.tables);
+  scratch_.loads.held = equations_.workspace.loads.held;  // the same in all steps since the watch began
   eval_dynamics(system_.tables, time, y_.data(), y_.data() + equations_.n_free(), latches, equations_.feedback(),
                 scratch_);
 }

@@ -34,6 +34,7 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
       history_(system.tables.contacts.size(), study.warm_up_cycles * cycle_time),
       peaks_(system_, motion_.equations(), recorder_, history_),
       scratch_(system.tables),
+      pace_(cycle_time),
       warm_up_end_(study.warm_up_cycles * cycle_time),
       end_((study.warm_up_cycles + study.cycles) * cycle_time),
       sample_step_(cycle_time / study.outputs_per_cycle),
@@ -74,12 +75,15 @@ StageRecord StageRun::run(const State& start, const std::stop_token& stop,
     }
     const double step_start = motion_.time();
     if (!motion_.advance(step_start < warm_up_end_ ? warm_up_end_ : end_)) {
-      if (!fail_at_law_end()) fail("E-NUM-003", fmt::format("step below {:.2g} s", motion_.find_smallest_step()));
+      fail_step();
       break;
     }
     take_step(step_start);
     stop_outside_slots();
     stop_open();
+    if (!pace_.note(motion_.time(), motion_.statistics().evaluations, motion_.statistics().accepted_steps)) {
+      stop_without_end();
+    }
     if (const int percent = static_cast<int>(100.0 * motion_.time() / end_); percent > reported) {
       reported = percent;
       const auto told = Clock::now();
@@ -94,6 +98,7 @@ StageRecord StageRun::run(const State& start, const std::stop_token& stop,
 
 void StageRun::begin(const State& start) {
   if (!motion_.begin(start)) {
+    if (motion_.stall()) return fail_step();
     const bool lost = find_load_in_the_way(0.0, motion_.find_smallest_step(), motion_.y(), motion_.equations()) >= 0;
     fail("E-NUM-001", lost ? "the accelerations at the start are not determined"
                            : "the start position is singular: accelerations are not determined");
@@ -223,7 +228,8 @@ void StageRun::stop_open() {
 
 // All samples that fall into the step just taken.
 void StageRun::sample_until(double time) {
-  const MotionEquations& equations = motion_.equations();
+  MotionEquations& equations = motion_.equations();
+  scratch_.loads.held = equations.workspace.loads.held;
   for (; n_samples_ < n_all_samples_; ++n_samples_) {
     const double at = warm_up_end_ + static_cast<double>(n_samples_) * sample_step_;
     // The last sample stands at the end, whatever rounding says.
@@ -235,8 +241,7 @@ void StageRun::sample_until(double time) {
     }
     const double* y = interpolated_.data();
     scratch_.fit(system_.tables);
-    equations.load_bristles(y, scratch_);
-    eval_dynamics(system_.tables, at, y, y + equations.n_free(), equations.latches, equations.feedback(), scratch_);
+    equations.eval_in(at, y, scratch_);
     recorder_.sample(at, scratch_, equations.latches, initial_energies_.total(), y + equations.n_states());
   }
 }

@@ -12,6 +12,7 @@
 #include "gudgeon/sim/contact_history.h"
 #include "gudgeon/sim/motion_integrator.h"
 #include "gudgeon/sim/peak_watch.h"
+#include "gudgeon/sim/run_pace.h"
 #include "gudgeon/sim/stage_recorder.h"
 #include "gudgeon/sim/wear_deposit.h"
 
@@ -40,6 +41,8 @@ class StageRun {
   void stop_outside_slots();
   void stop_open();
   void sample_until(double time);
+  void fail_step();
+  void stop_without_end();
   void fail(const std::string& code, const std::string& reason);
   bool fail_at_law_end();
   void finish();
@@ -54,6 +57,7 @@ class StageRun {
   std::vector<WearDeposit::StepSample> step_;  // of one contact
   Workspace scratch_;
   StageRecord record_;
+  RunPace pace_;
 
   double warm_up_end_;  // [s]
   double end_;          // [s]

@@ -46,7 +46,8 @@ double StepControl::find_error(const AttemptedStep& step) const {
 
 bool StepControl::accepts(const AttemptedStep& step) {
   const double local_error = find_error(step);
-  const double error = std::max(local_error, std::min(step.ledger_error, local_error / kStrictest));
+  const double ledger_error = std::min(step.ledger_error, local_error / kStrictest);
+  const double error = std::max({local_error, ledger_error, step.work_error});
   if (!std::isfinite(error)) {
     next_ = kLeastChange * step.h;
     return false;

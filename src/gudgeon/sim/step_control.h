@@ -12,13 +12,14 @@
 namespace gudgeon {
 
 /// A step that was tried: its length [s], the states at its ends, the estimated local error of each, and what it adds
-/// to the energy ledger's residual by what it may add [1].
+/// to the energy ledger's residual by what it may add [1], and the error of its works by what that may be [1].
 struct AttemptedStep {
   double h;
   std::span<const double> start;
   std::span<const double> end;
   std::span<const double> error;
   double ledger_error = 0.0;
+  double work_error = 0.0;
 };
 
 /// Proportional-integral control of the step by its local error, Hairer & Wanner 1996, IV.2, and by the energy ledger.

@@ -47,6 +47,8 @@ class Stepper {
   virtual void accept() = 0;
   /// Length that the next attempt wants [s].
   [[nodiscard]] virtual double next_step() const = 0;
+  /// Wants a step of that length [s] next, whatever the last one suggests.
+  virtual void propose(double /*h*/) {}
   /// A contact begins where the next step starts.
   virtual void note_onset() {}
   /// Whether an attempt leaves all of the workspace at its end, not only the coordinates.

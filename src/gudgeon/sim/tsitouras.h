@@ -63,6 +63,8 @@ class Tsitouras final : public DenseStep {
   [[nodiscard]] std::span<const double> end_slope() const { return {slope_of(kStages - 1), n_}; }
   /// Estimated local error of each state over the last attempt.
   [[nodiscard]] const std::vector<double>& error() const { return error_; }
+  /// The same of component i, which may be an integral.
+  [[nodiscard]] double find_error(std::size_t i) const noexcept { return h_ * sum_slopes<kStages>(kErrorWeights, i); }
 
   /// h |λ| [1] of the last attempt, λ the fastest rate that its last two stages, which are at one time, feel; beyond
   /// 3.5 decays are not stable. weigh(i, size) is by how much component i counts. Hairer & Wanner 1996, IV.2.

@@ -53,10 +53,30 @@ double find_value(const ChannelSource& source, double t, const Workspace& ws) no
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+double eval_expression(std::size_t expression, LoadScratch& scratch) noexcept {
+  ExpressionEvaluator& evaluator = scratch.evaluators[expression];
+  const double* values = scratch.channel_values.data();
+  if (evaluator.breaks().empty()) return evaluator.eval(values);
+  const std::size_t first = scratch.first_break[expression];
+  const HeldPieces& held = scratch.held;
+  double value = 0.0;
+  if (held.share != 0.0) {
+    value = held.share * evaluator.eval(values, held.others.data() + first, scratch.breaks.data() + first);
+  }
+  if (held.share == 1.0) return value;
+  return value + (1.0 - held.share) * evaluator.eval(values, held.pieces.data() + first, scratch.breaks.data() + first);
+}
+
 double eval_function(const LoadTables& tables, const LoadFunction& function, LoadScratch& scratch) noexcept {
-  if (function.expression >= 0) return scratch.evaluators[function.expression].eval(scratch.channel_values.data());
+  if (function.expression >= 0) return eval_expression(static_cast<std::size_t>(function.expression), scratch);
   if (function.curve >= 0) return tables.curves[function.curve].eval(scratch.channel_values[function.channel]).value;
   return function.constant;
+}
+
+void update_channels(const LoadTables& loads, double t, Workspace& ws) noexcept {
+  for (std::size_t k = 0; k < loads.channels.size(); ++k) {
+    ws.loads.channel_values[k] = find_value(loads.channels[k], t, ws);
+  }
 }
 
 void add_couple(const TurnCouple& couple, double torque, Workspace& ws) noexcept {
@@ -160,12 +180,15 @@ void add_bushing(const BushingLoad& bushing, Workspace& ws) noexcept {
 
 }  // namespace
 
+void update_breaks(const Tables& tables, double t, Workspace& workspace) noexcept {
+  update_channels(tables.loads, t, workspace);
+  for (std::size_t k = 0; k < workspace.loads.evaluators.size(); ++k) eval_expression(k, workspace.loads);
+}
+
 void add_variable_loads(const Tables& tables, double t, Workspace& workspace) noexcept {
   const LoadTables& loads = tables.loads;
   LoadScratch& scratch = workspace.loads;
-  for (std::size_t k = 0; k < loads.channels.size(); ++k) {
-    scratch.channel_values[k] = find_value(loads.channels[k], t, workspace);
-  }
+  update_channels(loads, t, workspace);
   for (const ForceLoad& force : loads.forces) add_force(force, loads, workspace);
   for (const TorqueLoad& torque : loads.torques) add_torque(torque, loads, workspace);
   for (const SpringLoad& spring : loads.springs) add_spring(spring, workspace);

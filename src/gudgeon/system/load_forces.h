@@ -12,6 +12,10 @@ namespace gudgeon {
 /// to workspace.loads. Needs coordinates and point motions.
 void add_variable_loads(const Tables& tables, double t, Workspace& workspace) noexcept;
 
+/// The values of all channels that loads depend on, and the breaks of all formulas with the pieces that are held, in
+/// workspace.loads; needs coordinates and point motions.
+void update_breaks(const Tables& tables, double t, Workspace& workspace) noexcept;
+
 /// Energy [J] stored in springs, torsion springs and bushings, from the last evaluation.
 double find_spring_energy(const Workspace& workspace) noexcept;
 

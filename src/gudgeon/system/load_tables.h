@@ -9,6 +9,7 @@
 
 #include "gudgeon/base/cubic_spline.h"
 #include "gudgeon/base/expression.h"
+#include "gudgeon/base/formula_breaks.h"
 #include "gudgeon/base/vec2.h"
 #include "gudgeon/model/channel_names.h"
 #include "gudgeon/model/function.h"
@@ -118,16 +119,32 @@ struct LoadTables {
   }
 };
 
+/// Which pieces of the formulas are in force, whatever their arguments are: one entry a break, formula after formula.
+/// Where a motion slides along a break, pushed back onto it from both sides, formulas are mixed of two lists.
+struct HeldPieces {
+  std::vector<int> pieces;  ///< kFreePiece where the argument decides
+  std::vector<int> others;  ///< those on the other side
+  double share = 0.0;       ///< of the others in the mixture [1]
+  int surface = -1;         ///< the break that is slid along; none without a mixture
+};
+
 /// What an evaluation writes for the loads.
 struct LoadScratch {
   explicit LoadScratch(const LoadTables& tables) : channel_values(tables.channels.size()), effects(tables.effects) {
     for (const Expression& expression : tables.expressions) {
       evaluators.emplace_back(expression.text, expression.constants, tables.channel_names);
+      first_break.push_back(breaks.size());
+      breaks.resize(breaks.size() + evaluators.back().breaks().size());
     }
+    held.pieces.assign(breaks.size(), kFreePiece);
+    held.others = held.pieces;
   }
 
   std::vector<double> channel_values;
   std::vector<ExpressionEvaluator> evaluators;  ///< not to be shared by threads
+  std::vector<std::size_t> first_break;         ///< of each formula, in the lists of breaks
+  std::vector<BreakState> breaks;               ///< of all formulas
+  HeldPieces held;                              ///< not written by an evaluation
   std::vector<LoadEffect> effects;              ///< one a load of the mechanism
   double constant_power = 0.0;                  ///< [W] of constant forces and torques, gravity among them
   double work_power = 0.0;                      ///< [W] sums over all other loads

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Finding the operands of comparisons, and the pieces of each kind of break.
+#include "gudgeon/base/formula_breaks.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace gudgeon {
+
+namespace {
+
+using Tokens = std::vector<std::string>;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr std::pair<std::string_view, BreakKind> kComparisons[] = {
+    {"<", BreakKind::less},           {"<=", BreakKind::less_equal}, {">", BreakKind::greater},
+    {">=", BreakKind::greater_equal}, {"==", BreakKind::equal},      {"!=", BreakKind::unequal}};
+constexpr std::pair<std::string_view, BreakKind> kFunctions[] = {
+    {"sign", BreakKind::sign},       {"abs", BreakKind::absolute},  {"min", BreakKind::least},
+    {"max", BreakKind::greatest},    {"floor", BreakKind::floor},   {"ceil", BreakKind::ceiling},
+    {"rint", BreakKind::nearest_up}, {"round", BreakKind::nearest}, {"smooth_step", BreakKind::smooth_step}};
+
+template <std::size_t kSize>
+std::optional<BreakKind> find_kind(const std::pair<std::string_view, BreakKind> (&table)[kSize], const std::string& t) {
+  for (const auto& [name, kind] : table) {
+    if (name == t) return kind;
+  }
+  return std::nullopt;
+}
+
+bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_name_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' ||
+         static_cast<unsigned char>(c) > 127;
+}
+
+// Where the number, name or operator that starts there ends.
+std::size_t find_token_end(const std::string& text, std::size_t start) {
+  std::size_t end = start;
+  if (is_digit(text[start]) || text[start] == '.') {
+    while (end < text.size() && (is_digit(text[end]) || text[end] == '.')) ++end;
+    std::size_t exponent = end;
+    if (exponent < text.size() && (text[exponent] == 'e' || text[exponent] == 'E')) {
+      ++exponent;
+      if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) ++exponent;
+      if (exponent < text.size() && is_digit(text[exponent])) {
+        while (exponent < text.size() && is_digit(text[exponent])) ++exponent;
+        end = exponent;
+      }
+    }
+    return end;
+  }
+  if (is_name_character(text[start])) {
+    while (end < text.size() && is_name_character(text[end])) ++end;
+    return end;
+  }
+  static constexpr std::string_view kPairs[] = {"<=", ">=", "==", "!=", "&&", "||"};
+  const std::string_view next = std::string_view(text).substr(start, 2);
+  return start + (std::ranges::find(kPairs, next) != std::end(kPairs) ? 2 : 1);
+}
+
+Tokens split(const std::string& text) {
+  Tokens tokens;
+  for (std::size_t at = 0; at < text.size();) {
+    if (is_space(text[at])) {
+      ++at;
+      continue;
+    }
+    const std::size_t end = find_token_end(text, at);
+    tokens.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return tokens;
+}
+
+// What binds weaker than a comparison ends its operands.
+bool ends_operand(const std::string& token) {
+  static constexpr std::string_view kEnds[] = {",", "?", ":", "&&", "||"};
+  return std::ranges::find(kEnds, token) != std::end(kEnds) || find_kind(kComparisons, token).has_value();
+}
+
+std::size_t find_left_start(const Tokens& tokens, std::size_t comparison) {
+  int depth = 0;
+  std::size_t start = comparison;
+  for (; start > 0; --start) {
+    const std::string& token = tokens[start - 1];
+    if (token == ")") ++depth;
+    if (token == "(" && depth-- == 0) break;
+    if (depth == 0 && ends_operand(token)) break;
+  }
+  return start;
+}
+
+std::size_t find_right_end(const Tokens& tokens, std::size_t comparison) {
+  int depth = 0;
+  std::size_t end = comparison + 1;
+  for (; end < tokens.size(); ++end) {
+    const std::string& token = tokens[end];
+    if (token == "(") ++depth;
+    if (token == ")" && depth-- == 0) break;
+    if (depth == 0 && ends_operand(token)) break;
+  }
+  return end;
+}
+
+// As it is told to people, or, without spaces, to the parser: it takes none before a function's parenthesis.
+std::string join(const Tokens& tokens, std::size_t from, std::size_t to, const char* between = " ") {
+  std::string text;
+  for (std::size_t k = from; k < to; ++k) text += (k > from ? between : "") + tokens[k];
+  return text;
+}
+
+// Comparisons of one rank are read from the left: the first one's operands hold no other at their own depth.
+void mark_comparisons(Tokens& tokens, std::vector<FormulaBreak>& breaks) {
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    const std::optional<BreakKind> kind = find_kind(kComparisons, tokens[at]);
+    if (!kind) continue;
+    const std::size_t start = find_left_start(tokens, at);
+    const std::size_t end = find_right_end(tokens, at);
+    breaks.push_back({*kind, "__break_" + std::to_string(breaks.size()), join(tokens, start, end)});
+    tokens[at] = ",";
+    tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(end), ")");
+    tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(start), {breaks.back().name, "("});
+    at = start;  // look again: within the operands there may be others
+  }
+}
+
+void mark_functions(Tokens& tokens, std::vector<FormulaBreak>& breaks) {
+  for (std::size_t at = 0; at + 1 < tokens.size(); ++at) {
+    const std::optional<BreakKind> kind = find_kind(kFunctions, tokens[at]);
+    if (!kind || tokens[at + 1] != "(") continue;
+    int depth = 0;
+    std::size_t end = at + 1;
+    do {
+      depth += tokens[end] == "(" ? 1 : tokens[end] == ")" ? -1 : 0;
+      ++end;
+    } while (depth > 0 && end < tokens.size());
+    breaks.push_back({*kind, "__break_" + std::to_string(breaks.size()), join(tokens, at, end)});
+    tokens[at] = breaks.back().name;
+  }
+}
+
+int find_sign(double x) { return x < 0.0 ? -1 : (x > 0.0 ? 1 : 0); }
+
+// Which argument is the least; of the negative ones with sign −1, the greatest.
+int find_least(const double* x, int n, double sign) {
+  int least = 0;
+  for (int k = 1; k < n; ++k) {
+    if (sign * x[k] < sign * x[least]) least = k;
+  }
+  return least;
+}
+
+// How far the chosen argument is above the least of the others.
+double find_lead(const double* x, int n, int chosen, double sign) {
+  double others = kInfinity;
+  for (int k = 0; k < n; ++k) {
+    if (k != chosen) others = std::min(others, sign * x[k]);
+  }
+  return sign * x[chosen] - others;
+}
+
+int find_whole(double x) { return static_cast<int>(std::clamp(x, -1e9, 1e9)); }
+
+// How far along its rise a smooth step is, not bounded.
+double find_rise(const double* x) { return (x[0] - x[1]) / (x[2] - x[1]); }
+
+int find_piece(BreakKind kind, const double* x, int n) {
+  switch (kind) {
+    case BreakKind::sign:
+    case BreakKind::absolute:
+      return find_sign(x[0]);
+    case BreakKind::least:
+      return find_least(x, n, 1.0);
+    case BreakKind::greatest:
+      return find_least(x, n, -1.0);
+    case BreakKind::floor:
+      return find_whole(std::floor(x[0]));
+    case BreakKind::ceiling:
+      return find_whole(std::ceil(x[0]));
+    case BreakKind::nearest_up:
+      return find_whole(std::floor(x[0] + 0.5));
+    case BreakKind::nearest:
+      return find_whole(std::round(x[0]));
+    case BreakKind::smooth_step: {
+      const double u = find_rise(x);
+      return u < 0.0 ? -1 : (u > 1.0 ? 1 : 0);
+    }
+    default:
+      return x[0] < x[1] ? -1 : (x[0] > x[1] ? 1 : 0);
+  }
+}
+
+double find_value(BreakKind kind, const double* x, int piece) {
+  switch (kind) {
+    case BreakKind::less:
+      return piece < 0 ? 1.0 : 0.0;
+    case BreakKind::less_equal:
+      return piece <= 0 ? 1.0 : 0.0;
+    case BreakKind::greater:
+      return piece > 0 ? 1.0 : 0.0;
+    case BreakKind::greater_equal:
+      return piece >= 0 ? 1.0 : 0.0;
+    case BreakKind::equal:
+      return piece == 0 ? 1.0 : 0.0;
+    case BreakKind::unequal:
+      return piece != 0 ? 1.0 : 0.0;
+    case BreakKind::absolute:
+      return piece < 0 ? -x[0] : x[0];
+    case BreakKind::least:
+    case BreakKind::greatest:
+      return x[piece];
+    case BreakKind::smooth_step: {
+      if (piece != 0) return piece < 0 ? 0.0 : 1.0;
+      const double u = find_rise(x);
+      return u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
+    }
+    default:
+      return piece;
+  }
+}
+
+void note_bounds(BreakKind kind, const double* x, int n, BreakState& state) {
+  const double piece = state.piece;
+  switch (kind) {
+    case BreakKind::least:
+    case BreakKind::greatest:
+      state.argument = find_lead(x, n, state.piece, kind == BreakKind::least ? 1.0 : -1.0);
+      state.low = -kInfinity;
+      state.high = 0.0;
+      return;
+    case BreakKind::floor:
+    case BreakKind::ceiling:
+      state.argument = x[0];
+      state.low = kind == BreakKind::floor ? piece : piece - 1.0;
+      state.high = state.low + 1.0;
+      return;
+    case BreakKind::nearest_up:
+    case BreakKind::nearest:
+      state.argument = x[0];
+      state.low = piece - 0.5;
+      state.high = piece + 0.5;
+      return;
+    case BreakKind::smooth_step:
+      state.argument = find_rise(x);
+      state.low = piece < 0 ? -kInfinity : (piece > 0 ? 1.0 : 0.0);
+      state.high = piece < 0 ? 0.0 : (piece > 0 ? kInfinity : 1.0);
+      return;
+    case BreakKind::sign:
+    case BreakKind::absolute:
+      state.argument = x[0];
+      break;
+    default:
+      state.argument = x[0] - x[1];
+      break;
+  }
+  state.low = state.piece < 0 ? -kInfinity : 0.0;
+  state.high = state.piece > 0 ? kInfinity : 0.0;
+}
+
+}  // namespace
+
+MarkedFormula mark_breaks(const std::string& text) {
+  MarkedFormula marked;
+  Tokens tokens = split(text);
+  mark_functions(tokens, marked.breaks);
+  mark_comparisons(tokens, marked.breaks);
+  marked.text = join(tokens, 0, tokens.size(), "");
+  return marked;
+}
+
+double eval_break(BreakKind kind, const double* arguments, int n_arguments, int held, BreakState& state) noexcept {
+  state.met = true;
+  state.piece = held == kFreePiece ? find_piece(kind, arguments, n_arguments) : held;
+  note_bounds(kind, arguments, n_arguments, state);
+  for (int k = 0; k < n_arguments; ++k) {
+    if (std::isnan(arguments[k])) return arguments[k];
+  }
+  return find_value(kind, arguments, state.piece);
+}
+
+}  // namespace gudgeon

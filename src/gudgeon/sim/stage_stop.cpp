@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: gudgeon contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is said of a stage that a load, or steps without end, do not let go on.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gudgeon/sim/stage_run.h"
+#include "gudgeon/system/body_motion.h"
+
+namespace gudgeon {
+
+// Why a step could not be taken.
+void StageRun::fail_step() {
+  if (!motion_.stall()) {
+    if (!fail_at_law_end()) fail("E-NUM-003", fmt::format("step below {:.2g} s", motion_.find_smallest_step()));
+    return;
+  }
+  const auto& [load, text] = *motion_.stall();
+  record_.status = StageStatus::failed;
+  record_.message = fmt::format(
+      "E-NUM-006: stopped at t = {:.9g} s (cycle {}): load '{}' jumps back and forth at \"{}\": on each side it pushes "
+      "the mechanism to the other one, and no force between both holds it; let the load change gradually there, or "
+      "give joints the friction that is meant",
+      motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1,
+      load >= 0 ? system_.mechanism.loads[load].name : "?", text);
+}
+
+// What a mechanism does that goes on in ever shorter steps.
+void StageRun::stop_without_end() {
+  motion_.evaluate_again();
+  const Workspace& workspace = motion_.equations().workspace;
+  BodyMotionFinder finder(system_);
+  finder.update(workspace);
+  std::string cause;
+  const auto& effects = workspace.loads.effects;
+  const auto size = [](const LoadEffect& effect) { return std::max(norm(effect.force), std::abs(effect.torque)); };
+  if (const auto largest = std::ranges::max_element(effects, {}, size);
+      largest != effects.end() && size(*largest) > 0) {
+    cause +=
+        fmt::format("; largest load: '{}', {:.3g} N or N m",
+                    system_.mechanism.loads[static_cast<std::size_t>(largest - effects.begin())].name, size(*largest));
+  }
+  const auto& motions = finder.motions();
+  const auto speed = [](const BodyMotion& motion) {
+    return std::max(norm(motion.velocity), std::abs(motion.angle_rate));
+  };
+  if (const auto fastest = std::ranges::max_element(motions, {}, speed); fastest != motions.end()) {
+    cause += fmt::format("; fastest body: '{}', {:.3g} m/s and {:.3g} rad/s",
+                         system_.mechanism.bodies[static_cast<std::size_t>(fastest - motions.begin())].name,
+                         norm(fastest->velocity), fastest->angle_rate);
+  }
+  if (const std::int64_t changes = motion_.n_piece_changes(); changes > motion_.statistics().accepted_steps / 10) {
+    cause += fmt::format("; formulas and curves of loads changed their piece {} times", changes);
+  }
+  record_.status = StageStatus::failed;
+  record_.message = fmt::format(
+      "E-NUM-007: stopped at t = {:.9g} s (cycle {}): at this pace the run would not end: the last {} evaluations, in "
+      "steps of {:.2g} s, brought the motion on by {:.2g} s, and a cycle is {:.4g} s{}; look at what makes it so fast: "
+      "a load that grows without bound, a stiffness too large for its mass",
+      motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1, RunPace::kWindow, pace_.last_step(),
+      pace_.last_advance(), record_.cycle_time, cause);
+}
+
+}  // namespace gudgeon
