@@ -78,7 +78,7 @@ MotionIntegrator::MotionIntegrator(const System& given, const Study& study, doub
   stepper_ = explicit_ ? static_cast<Stepper*>(explicit_.get()) : stiff_.get();
   equations_.time_scale = cycle_time;
   // Where loads are given, works are not known by the motion's own error; where all is driven, there is none.
-  const LoadTables& loads = system.tables.loads;
+  const LoadTables& loads = system_.tables.loads;
   if (!loads.expressions.empty() || !loads.curves.empty() || equations_.n_free() == 0) {
     if (explicit_) explicit_->control_works(study.relative_tolerance);
     if (implicit_) implicit_->control_works(study.relative_tolerance);

@@ -57,7 +57,7 @@ void StageRun::stop_without_end() {
   }
   record_.status = StageStatus::failed;
   record_.message = fmt::format(
-      "E-NUM-007: stopped at t = {:.9g} s (cycle {}): at this pace the run would not end: the last {} evaluations, in "
+      "E-NUM-008: stopped at t = {:.9g} s (cycle {}): at this pace the run would not end: the last {} evaluations, in "
       "steps of {:.2g} s, brought the motion on by {:.2g} s, and a cycle is {:.4g} s{}; look at what makes it so fast: "
       "a load that grows without bound, a stiffness too large for its mass",
       motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1, RunPace::kWindow, pace_.last_step(),
