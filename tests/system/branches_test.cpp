@@ -85,7 +85,7 @@ TEST(Branches, LoopsBehindDriversBetweenBodiesHaveThem) {
   const Mechanism ideal = make_ideal(mechanism);
   const Topology topology = find_topology(ideal);
   const Tables tables = compile_tables(ideal, topology);
-  const LoopFolds folds(ideal, topology, tables);
+  const LoopFolds folds(topology, tables);
   ASSERT_EQ(folds.folds().size(), 1u) << "a driver's closure folds nowhere";
   EXPECT_TRUE(folds.folds()[0].is_dyad);
 }
@@ -96,7 +96,7 @@ TEST(Branches, ALoopWhoseDriverSharesItsUnknownsIsNoDyad) {
   mechanism.drivers.push_back({"elbow", DrivenAngle{"coupler", "crank"}, 0.56 - 1.1, 0.5});
   const Topology topology = find_topology(mechanism);
   const Tables tables = compile_tables(mechanism, topology);
-  const LoopFolds folds(mechanism, topology, tables);
+  const LoopFolds folds(topology, tables);
   ASSERT_EQ(folds.folds().size(), 1u);
   EXPECT_FALSE(folds.folds()[0].is_dyad);
   EXPECT_EQ(assemble(mechanism).branches.size(), 1u);

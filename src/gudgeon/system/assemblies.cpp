@@ -77,9 +77,9 @@ class AssemblySearch {
       if (n > 0) starts_.scatter(group.unknowns, closer_.q);
       if (!close_group(group) || !is_new(closer_.q, found)) continue;
       found.push_back(closer_.q);
-      if (group.dyad < 0) continue;
+      if (!group.is_dyad) continue;
       // A dyad has this position and its mirror image.
-      const LoopFold& fold = folds_.folds()[static_cast<std::size_t>(group.dyad)];
+      const LoopFold fold = folds_.find_fold(group);
       closer_.update();
       VectorXd mirrored = closer_.q;
       if (!folds_.mirror(fold, closer_.workspace.coordinates, mirrored.data())) break;
@@ -192,10 +192,9 @@ void ScatteredStarts::scatter(const std::vector<int>& coordinates, VectorXd& q) 
   }
 }
 
-std::optional<std::vector<VectorXd>> find_assemblies(const Mechanism& mechanism, const Topology& topology,
-                                                     const Tables& tables, LoopCloser& closer,
+std::optional<std::vector<VectorXd>> find_assemblies(const Topology& topology, const Tables& tables, LoopCloser& closer,
                                                      const std::vector<int>& pinned) {
-  const LoopFolds folds(mechanism, topology, tables, pinned);
+  const LoopFolds folds(topology, tables, pinned);
   if (!std::ranges::all_of(folds.groups(), &LoopGroup::is_determined)) return std::nullopt;
   const VectorXd before = closer.q;
   std::vector<VectorXd> positions = AssemblySearch(tables, folds, closer).run();

@@ -17,9 +17,8 @@ namespace gudgeon {
 /// Every position with closed loops, pinned coordinates staying where they are: dyads by their mirror images, groups
 /// of a higher class by Gauss-Newton from many starts, until one more start is not expected to find another. None at
 /// all when degrees of freedom are left, for then there is no counting them. The closer keeps its coordinates.
-std::optional<std::vector<Eigen::VectorXd>> find_assemblies(const Mechanism& mechanism, const Topology& topology,
-                                                            const Tables& tables, LoopCloser& closer,
-                                                            const std::vector<int>& pinned);
+std::optional<std::vector<Eigen::VectorXd>> find_assemblies(const Topology& topology, const Tables& tables,
+                                                            LoopCloser& closer, const std::vector<int>& pinned);
 
 /// Starts scattered over all turns, and for slides as far as the longest loop reaches; the same ones every time.
 class ScatteredStarts {

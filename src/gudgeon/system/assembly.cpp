@@ -14,6 +14,7 @@
 #include "gudgeon/system/assemblies.h"
 #include "gudgeon/system/branches.h"
 #include "gudgeon/system/closure_rank.h"
+#include "gudgeon/system/compile_closures.h"
 #include "gudgeon/system/loop_closer.h"
 #include "gudgeon/system/loop_folds.h"
 #include "gudgeon/system/loose_start.h"
@@ -57,8 +58,8 @@ class Assembler {
   Assembler(const Mechanism& mechanism, double time)
       : mechanism_(make_ideal(mechanism)),
         topology_(find_topology(mechanism_)),
-        tables_(compile_tables(mechanism_, topology_)),
-        folds_(mechanism_, topology_, tables_),
+        tables_(compile_loops(mechanism_, topology_)),
+        folds_(topology_, tables_),
         closer_(mechanism_, topology_, tables_, time),
         is_loose_(find_loose(mechanism)),
         given_(list_given_positions(mechanism_)) {
@@ -115,7 +116,7 @@ class Assembler {
   /// Every closed position, each described with the start rates.
   std::optional<std::vector<Assembly>> find_all() {
     if (!close_from(guessed_) && !close_from_elsewhere()) throw_open();
-    const auto positions = find_assemblies(mechanism_, topology_, tables_, closer_, list_pinned_coordinates());
+    const auto positions = find_assemblies(topology_, tables_, closer_, list_pinned_coordinates());
     if (!positions) return std::nullopt;
     std::vector<Assembly> all;
     for (const VectorXd& q : *positions) {
@@ -264,7 +265,7 @@ class Assembler {
 
   // All assemblies, or those met from scattered starts where degrees of freedom are left.
   std::vector<VectorXd> find_others() {
-    if (auto all = find_assemblies(mechanism_, topology_, tables_, closer_, list_pinned_coordinates())) return *all;
+    if (auto all = find_assemblies(topology_, tables_, closer_, list_pinned_coordinates())) return *all;
     std::vector<VectorXd> met;
     ScatteredStarts starts(tables_);
     std::vector<int> moved;

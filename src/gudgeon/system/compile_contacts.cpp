@@ -17,15 +17,13 @@ GuideSurfaces make_side(double direction, int bearing_surface, double half_heigh
 
 class ContactCompiler {
  public:
-  ContactCompiler(const Mechanism& mechanism, const Topology& topology, Tables& tables)
-      : mechanism_(mechanism), topology_(topology), tables_(tables) {}
+  ContactCompiler(const Topology& topology, Tables& tables) : topology_(topology), tables_(tables) {}
 
   template <ClearanceJoint Kind>
   void add(int j, const Kind& joint) {
     ContactGroup group{j, static_cast<int>(tables_.contacts.size()), 0, 0, 0};
-    const Body& journal = mechanism_.bodies[find_body(mechanism_, joint.journal.body)];
-    for (const ContactCircle& circle : find_circles(joint, find_point(journal, joint.journal.point)->position)) {
-      Contact contact = place(j, joint.bearing, joint.journal, circle);
+    for (const ContactCircle& circle : find_circles(joint, topology_.ends[j].second.point)) {
+      Contact contact = place(j, circle);
       contact.surfaces = make_surfaces(joint, circle.bearing_surface);
       contact.width = joint.width;
       add_laws(joint.contact, contact);
@@ -38,12 +36,11 @@ class ContactCompiler {
   }
 
  private:
-  Contact place(int j, const Anchor& bearing_anchor, const Anchor& journal_anchor, const ContactCircle& circle) {
-    const int bearing_body = find_body(mechanism_, bearing_anchor.body);
-    const int journal_body = find_body(mechanism_, journal_anchor.body);
+  Contact place(int j, const ContactCircle& circle) {
+    const auto& [bearing_body, middle] = topology_.ends[j].first;
+    const int journal_body = topology_.ends[j].second.body;
     const BodyNode& bearing = topology_.bodies[bearing_body];
     const BodyNode& journal = topology_.bodies[journal_body];
-    const Vec2 middle = find_point(mechanism_.bodies[bearing_body], bearing_anchor.point)->position;
     Contact contact;
     contact.joint = j;
     contact.group = static_cast<int>(tables_.contact_groups.size());
@@ -79,7 +76,6 @@ class ContactCompiler {
     contact.pressure = properties.pressure;
   }
 
-  const Mechanism& mechanism_;
   const Topology& topology_;
   Tables& tables_;
 };
@@ -117,7 +113,7 @@ ContactSurfaces make_surfaces(const PinInSlotClearance& joint, int bearing_surfa
 }
 
 void compile_contacts(const Mechanism& mechanism, const Topology& topology, Tables& tables) {
-  ContactCompiler compiler(mechanism, topology, tables);
+  ContactCompiler compiler(topology, tables);
   for (int j = 0; j < static_cast<int>(mechanism.joints.size()); ++j) {
     std::visit(
         [&]<class Kind>(const Kind& kind) {

@@ -14,7 +14,11 @@ namespace {
 class LoadCompiler {
  public:
   LoadCompiler(const Mechanism& mechanism, const Topology& topology, Tables& tables)
-      : mechanism_(mechanism), topology_(topology), tables_(tables), known_(list_state_channels(mechanism)) {
+      : mechanism_(mechanism),
+        index_(mechanism),
+        topology_(topology),
+        tables_(tables),
+        known_(list_state_channels(mechanism)) {
     for (const StateChannel& channel : known_) known_names_.push_back(channel.name);
   }
 
@@ -59,14 +63,14 @@ class LoadCompiler {
   }
 
   [[nodiscard]] const BodyNode& find_node(const std::string& body) const {
-    return topology_.bodies[find_body(mechanism_, body)];
+    return topology_.bodies[index_.find_body(body)];
   }
 
   int add_point(int body, Vec2 local) { return tables_.points.add(topology_.find_path(body, local), topology_.counts); }
 
   int add_point(const Anchor& anchor) {
-    const int body = find_body(mechanism_, anchor.body);
-    return add_point(body, find_point(mechanism_.bodies[body], anchor.point)->position);
+    const JointEnd end = index_.find(anchor);
+    return add_point(end.body, end.point);
   }
 
   [[nodiscard]] TurnCouple make_couple(const std::string& first_body, const std::string& second_body) const {
@@ -134,7 +138,7 @@ class LoadCompiler {
 
   void fill_line(int joint, ChannelSource& source) {
     const AnyJoint& kind = mechanism_.joints[joint].kind;
-    const auto [first, second] = anchors(kind);
+    const auto& [first, second] = topology_.ends[joint];
     const double direction = std::visit(
         []<class Kind>(const Kind& k) {
           if constexpr (requires { k.direction; }) {
@@ -144,16 +148,17 @@ class LoadCompiler {
           }
         },
         kind);
-    const BodyNode& node = find_node(first.body);
+    const BodyNode& node = topology_.bodies[first.body];
     const Rotation along = make_rotation(node.offset + direction);
-    source.origin_row = add_point(first);
-    source.row = add_point(second);
+    source.origin_row = add_point(first.body, first.point);
+    source.row = add_point(second.body, second.point);
     source.turn = node.turn;
     source.axis = {along.c, along.s};
     source.slide = topology_.joint_slide[joint];
   }
 
   const Mechanism& mechanism_;
+  AnchorIndex index_;
   const Topology& topology_;
   Tables& tables_;
   std::vector<StateChannel> known_;

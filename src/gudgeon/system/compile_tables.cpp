@@ -63,11 +63,6 @@ class TableCompiler {
   }
 
  private:
-  Path find_anchor_path(const Anchor& anchor) const {
-    const int body = find_body(mechanism_, anchor.body);
-    return topology_.find_path(body, find_point(mechanism_.bodies[body], anchor.point)->position);
-  }
-
   // All pairs of equations that share a matrix entry.
   void collect_pattern() {
     for (const auto& [keys, products] : kinetic_.pairs) {

@@ -87,7 +87,7 @@ double find_longest_vector(const Tables& tables) {
 
 KinematicSolver::KinematicSolver(const Mechanism& mechanism)
     : system_(compile_driven(mechanism)),
-      folds_(system_.mechanism, system_.topology, system_.tables),
+      folds_(system_.topology, system_.tables),
       workspace_(system_.tables),
       size_(find_longest_vector(system_.tables)) {
   if (has_free_rows(system_.tables)) row_choice_.emplace(system_);

@@ -33,13 +33,13 @@ KineticTerms sum_kinetic_terms(const Mechanism& mechanism, const Topology& topol
     }
   }
 
+  const AnchorIndex index(mechanism);
   for (const Load& load : mechanism.loads) {
     if (const auto* force = std::get_if<ConstantForce>(&load.kind)) {
-      const int body = find_body(mechanism, force->point.body);
-      add_force(topology.find_path(body, find_point(mechanism.bodies[body], force->point.point)->position),
-                force->force);
+      const JointEnd end = index.find(force->point);
+      add_force(topology.find_path(end.body, end.point), force->force);
     } else if (const auto* torque = std::get_if<ConstantTorque>(&load.kind)) {
-      sums.turn_torque[topology.bodies[find_body(mechanism, torque->body)].turn] += torque->torque;
+      sums.turn_torque[topology.bodies[index.find_body(torque->body)].turn] += torque->torque;
     }
   }
   return sums;

@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <unordered_set>
+#include <utility>
 
 #include "gudgeon/system/poses.h"
 
@@ -34,33 +35,27 @@ FoldAngle find_turn(Vec2 first, Vec2 second) {
 
 }  // namespace
 
-LoopFolds::LoopFolds(const Mechanism& mechanism, const Topology& topology, const Tables& tables,
-                     const std::vector<int>& known_coordinates)
-    : mechanism_(&mechanism), topology_(&topology), tables_(&tables) {
+LoopFolds::LoopFolds(const Topology& topology, const Tables& tables, const std::vector<int>& known_coordinates)
+    : topology_(&topology), tables_(&tables) {
   for (const ClosureTerm& term : tables.closure_terms) size_ = std::max(size_, norm(term.vector));
-  std::vector<bool> known(tables.counts.n_free(), false);
-  for (const int coordinate : known_coordinates) known[coordinate] = true;
-  std::vector<int> left(tables.closures.size());
-  std::iota(left.begin(), left.end(), 0);
-  while (take_angle(left, known) || take_dyad(left, known) || take_pair(left, known)) {
-  }
-  add_rest(left, known);
-}
-
-// What is no group of one or two loops counts as one that closes together.
-void LoopFolds::add_rest(const std::vector<int>& left, const std::vector<bool>& known) {
-  if (left.empty()) return;
-  LoopGroup rest{left, {}, -1, false};
-  int n_rows = 0;
-  for (const int c : left) {
-    add_plain(c);
-    n_rows += count_rows(tables_->closures[c].kind);
-    for (const int coordinate : list_open(c, known)) {
-      if (std::ranges::find(rest.unknowns, coordinate) == rest.unknowns.end()) rest.unknowns.push_back(coordinate);
+  std::vector<std::vector<int>> unknowns;
+  for (const ClosureRows& rows : tables.closures) unknowns.push_back(list_unknowns(rows));
+  groups_ = find_loop_groups(tables, std::move(unknowns), known_coordinates);
+  for (const LoopGroup& group : groups_) {
+    if (group.is_dyad) {
+      folds_.push_back(find_fold(group));
+      continue;
+    }
+    for (const int c : group.closures) {
+      // A driver's closure folds nowhere.
+      if (tables.closures[c].kind != ClosureKind::angle) folds_.push_back({c, false, -1, -1});
     }
   }
-  rest.is_determined = rest.unknowns.size() <= static_cast<std::size_t>(n_rows);
-  groups_.push_back(rest);
+}
+
+LoopFold LoopFolds::find_fold(const LoopGroup& dyad) const {
+  const int c = dyad.closures.front();
+  return {c, true, dyad.unknowns.front(), is_on_line(tables_->closures[c]) ? -1 : dyad.unknowns.back()};
 }
 
 std::vector<LoopFold> LoopFolds::list_by_closure() const {
@@ -69,104 +64,36 @@ std::vector<LoopFold> LoopFolds::list_by_closure() const {
   return sorted;
 }
 
-// A driver's closure folds nowhere.
-void LoopFolds::add_plain(int closure) {
-  if (tables_->closures[closure].kind != ClosureKind::angle) folds_.push_back({closure, false, -1, -1});
-}
-
-std::vector<int> LoopFolds::list_open(int closure, const std::vector<bool>& known) const {
-  std::vector<int> open = list_unknowns(tables_->closures[closure]);
-  std::erase_if(open, [&](int coordinate) { return known[coordinate]; });
-  return open;
-}
-
-// The first driver between two bodies of which one is known says where the other is.
-bool LoopFolds::take_angle(std::vector<int>& left, std::vector<bool>& known) {
-  for (const int c : left) {
-    if (tables_->closures[c].kind != ClosureKind::angle) continue;
-    const std::vector<int> open = list_open(c, known);
-    if (open.size() > 1) continue;
-    for (const int coordinate : open) known[coordinate] = true;
-    groups_.push_back({{c}, open, -1, true});
-    std::erase(left, c);
-    return true;
-  }
-  return false;
-}
-
-// The first loop that leaves as many unknowns as it has rows.
-bool LoopFolds::take_dyad(std::vector<int>& left, std::vector<bool>& known) {
-  for (const int c : left) {
-    if (tables_->closures[c].kind == ClosureKind::angle) continue;
-    const bool is_line = is_on_line(tables_->closures[c]);
-    const std::vector<int> open = list_open(c, known);
-    if (open.size() != (is_line ? 1u : 2u)) continue;
-    for (const int coordinate : open) known[coordinate] = true;
-    folds_.push_back({c, true, open[0], is_line ? -1 : open[1]});
-    groups_.push_back({{c}, open, static_cast<int>(folds_.size()) - 1, true});
-    std::erase(left, c);
-    return true;
-  }
-  return false;
-}
-
-// The first two loops that share as many unknowns as they have rows: no dyads, but those beyond them may be.
-bool LoopFolds::take_pair(std::vector<int>& left, std::vector<bool>& known) {
-  for (const int one : left) {
-    for (const int other : left) {
-      if (other <= one) continue;
-      std::vector<int> open = list_open(one, known);
-      for (const int coordinate : list_open(other, known)) {
-        if (std::ranges::find(open, coordinate) == open.end()) open.push_back(coordinate);
-      }
-      const int n_rows = count_rows(tables_->closures[one].kind) + count_rows(tables_->closures[other].kind);
-      if (open.size() != static_cast<std::size_t>(n_rows)) continue;
-      for (const int coordinate : open) known[coordinate] = true;
-      for (const int c : {one, other}) add_plain(c);
-      groups_.push_back({{one, other}, open, -1, true});
-      std::erase_if(left, [&, one, other](int c) { return c == one || c == other; });
-      return true;
-    }
-  }
-  return false;
-}
-
 // The free coordinates of a loop in the order of the walk.
 std::vector<int> LoopFolds::list_unknowns(const ClosureRows& rows) const {
-  std::vector<bool> present(tables_->counts.n_free(), false);
-  const auto mark = [&](int index) {
-    if (index < tables_->counts.n_free()) present[index] = true;
-  };
   if (rows.kind == ClosureKind::angle) {
     std::vector<int> turns{rows.angle_turn[0], rows.angle_turn[1]};
     std::erase_if(turns, [&](int turn) { return turn >= tables_->counts.n_free_turns; });
     return turns;
   }
+  std::unordered_set<int> present;
   for (int t = rows.first_term; t < rows.end_term; ++t) {
-    mark(tables_->find_turn_index(tables_->closure_terms[t].turn));
-    mark(tables_->find_slide_index(tables_->closure_terms[t].slide));
+    present.insert(tables_->find_turn_index(tables_->closure_terms[t].turn));
+    present.insert(tables_->find_slide_index(tables_->closure_terms[t].slide));
   }
-  if (is_on_line(rows)) mark(tables_->find_turn_index(rows.line_turn));
+  if (is_on_line(rows)) present.insert(tables_->find_turn_index(rows.line_turn));
   std::vector<int> unknowns;
   for (const int coordinate : find_walk(rows.joint)) {
-    if (!present[coordinate]) continue;
-    unknowns.push_back(coordinate);
-    present[coordinate] = false;
+    if (present.erase(coordinate) > 0) unknowns.push_back(coordinate);
   }
   return unknowns;
 }
 
 // Free coordinates met from the frame over the joint's first body to the joint and back over its second one.
 std::vector<int> LoopFolds::find_walk(int joint) const {
-  const auto [first, second] = anchors(mechanism_->joints[joint].kind);
-  const auto list = [&](const Anchor& anchor) {
-    const int body = find_body(*mechanism_, anchor.body);
+  const auto& [first, second] = topology_->ends[joint];
+  const auto list = [&](const JointEnd& end) {
     std::vector<int> met;
-    for (const Term& term : topology_->find_path(body, find_point(mechanism_->bodies[body], anchor.point)->position)) {
+    for (const Term& term : topology_->find_path(end.body, end.point)) {
       met.push_back(tables_->find_slide_index(term.slide));
       met.push_back(tables_->find_turn_index(term.turn));
     }
-    met.push_back(tables_->find_turn_index(topology_->bodies[body].turn));
+    met.push_back(tables_->find_turn_index(topology_->bodies[end.body].turn));
     return met;
   };
   std::vector<int> walk = list(first);
@@ -215,30 +142,29 @@ FoldAngle LoopFolds::find_angle(const LoopFold& fold, const Coordinates& at) con
   return find_turn(perp(column), at.rotation[rows.line_turn] * rows.normal);
 }
 
+Vec2 LoopFolds::find_place(const JointEnd& end, const Coordinates& at) const {
+  return find_pose(topology_->bodies[end.body], at).find_point(end.point);
+}
+
 // The two links that meet where a loop closes run from the nearest joints inboard that lie elsewhere; on a guide the
 // first one is the guide's line.
 std::array<LoopFolds::Link, 2> LoopFolds::find_closing_links(const ClosureRows& rows, const Coordinates& at) const {
-  const std::vector<BodyPose> poses = find_poses(*mechanism_, *topology_, at);
-  const auto find_place = [&](int body, const Anchor& anchor) {
-    return poses[body].find_point(find_point(mechanism_->bodies[body], anchor.point)->position);
-  };
-  const auto [first, second] = anchors(mechanism_->joints[rows.joint].kind);
-  const int second_body = find_body(*mechanism_, second.body);
-  const Vec2 place = find_place(second_body, second);
+  const auto& [first, second] = topology_->ends[rows.joint];
+  const Vec2 place = find_place(second, at);
   const auto find_link = [&](int body) {
     for (; topology_->bodies[body].joint >= 0; body = topology_->bodies[body].parent) {
-      const auto [a, b] = anchors(mechanism_->joints[topology_->bodies[body].joint].kind);
-      const Vec2 link = place - find_place(body, find_body(*mechanism_, a.body) == body ? a : b);
+      const auto& [a, b] = topology_->ends[topology_->bodies[body].joint];
+      const Vec2 link = place - find_place(a.body == body ? a : b, at);
       if (norm(link) > kNoLink * size_) return Link{topology_->bodies[body].turn, link};
     }
     return Link{};
   };
-  const Link back = find_link(second_body);
+  const Link back = find_link(second.body);
   if (is_on_line(rows)) {
     const Vec2 along = -perp(at.rotation[rows.line_turn] * rows.normal);
     return {Link{rows.line_turn, along}, back};
   }
-  return {find_link(find_body(*mechanism_, first.body)), Link{back.turn, -back.vector}};
+  return {find_link(first.body), Link{back.turn, -back.vector}};
 }
 
 bool LoopFolds::mirror(const LoopFold& fold, const Coordinates& at, double* q) const {

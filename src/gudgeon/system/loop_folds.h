@@ -7,9 +7,11 @@
 #include <array>
 #include <vector>
 
-#include "gudgeon/model/mechanism.h"
+#include "gudgeon/base/vec2.h"
 #include "gudgeon/system/coordinates.h"
+#include "gudgeon/system/loop_groups.h"
 #include "gudgeon/system/tables.h"
+#include "gudgeon/system/topology.h"
 
 namespace gudgeon {
 
@@ -29,21 +31,11 @@ struct FoldAngle {
   double cosine = 0.0;
 };
 
-/// Closures that together determine unknowns, once those of the groups before it are known: of a driver between two
-/// bodies, a dyad, or a group of a higher class.
-struct LoopGroup {
-  std::vector<int> closures;
-  std::vector<int> unknowns;   ///< free coordinates
-  int dyad = -1;               ///< index into folds(), -1 for any other group
-  bool is_determined = false;  ///< as many rows as unknowns, or more
-};
-
 /// Finds folds; keeps references to what it was made of.
 class LoopFolds {
  public:
   /// Coordinates may be known beforehand.
-  LoopFolds(const Mechanism& mechanism, const Topology& topology, const Tables& tables,
-            const std::vector<int>& known_coordinates = {});
+  LoopFolds(const Topology& topology, const Tables& tables, const std::vector<int>& known_coordinates = {});
 
   /// In an order in which they can be closed.
   [[nodiscard]] const std::vector<LoopGroup>& groups() const { return groups_; }
@@ -51,6 +43,8 @@ class LoopFolds {
   [[nodiscard]] const std::vector<LoopFold>& folds() const { return folds_; }
   /// The same in the order of the closures.
   [[nodiscard]] std::vector<LoopFold> list_by_closure() const;
+  /// That of a group that is a dyad.
+  [[nodiscard]] LoopFold find_fold(const LoopGroup& dyad) const;
   /// A slide or a guide is one of the two links.
   [[nodiscard]] bool has_guide(const LoopFold& fold) const;
   [[nodiscard]] FoldAngle find_angle(const LoopFold& fold, const Coordinates& coordinates) const;
@@ -64,13 +58,8 @@ class LoopFolds {
     Vec2 vector;    // in the frame's axes, along the walk
   };
 
-  bool take_angle(std::vector<int>& left, std::vector<bool>& known);
-  bool take_dyad(std::vector<int>& left, std::vector<bool>& known);
-  bool take_pair(std::vector<int>& left, std::vector<bool>& known);
-  void add_plain(int closure);
-  void add_rest(const std::vector<int>& left, const std::vector<bool>& known);
-  [[nodiscard]] std::vector<int> list_open(int closure, const std::vector<bool>& known) const;
   [[nodiscard]] std::vector<int> list_unknowns(const ClosureRows& rows) const;
+  [[nodiscard]] Vec2 find_place(const JointEnd& end, const Coordinates& coordinates) const;
   [[nodiscard]] std::vector<int> find_walk(int joint) const;
   [[nodiscard]] Vec2 find_column(const ClosureRows& rows, int coordinate, const Coordinates& coordinates) const;
   [[nodiscard]] Vec2 find_gap(const ClosureRows& rows, const Coordinates& coordinates) const;
@@ -78,7 +67,6 @@ class LoopFolds {
   void mirror_dyad(const LoopFold& fold, const Coordinates& coordinates, double* q) const;
   bool mirror_closing(const LoopFold& fold, const Coordinates& coordinates, double* q) const;
 
-  const Mechanism* mechanism_;
   const Topology* topology_;
   const Tables* tables_;
   std::vector<LoopFold> folds_;

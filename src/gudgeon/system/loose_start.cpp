@@ -32,9 +32,8 @@ std::vector<int> find_clusters(const Mechanism& mechanism, const Topology& topol
   }
   for (const Closure& closure : topology.closures) {
     if (closure.joint < 0) continue;
-    const auto [first, second] = anchors(mechanism.joints[closure.joint].kind);
-    const auto [low, high] =
-        std::minmax({cluster[find_body(mechanism, first.body)], cluster[find_body(mechanism, second.body)]});
+    const auto& [first, second] = topology.ends[closure.joint];
+    const auto [low, high] = std::minmax({cluster[first.body], cluster[second.body]});
     std::ranges::replace(cluster, high, low);
   }
   return cluster;

@@ -11,6 +11,9 @@
 
 namespace gudgeon {
 
+/// Pose and motion of one body's origin.
+BodyPose find_pose(const BodyNode& node, const Coordinates& coordinates);
+
 /// Pose and motion of every body's origin, the frame's first.
 std::vector<BodyPose> find_poses(const Mechanism& mechanism, const Topology& topology, const Coordinates& coordinates);
 

@@ -98,16 +98,10 @@ StartQuantity find_quantity(const Mechanism& mechanism, const Topology& topology
                          at);
   }
   const AnyJoint& joint = mechanism.joints[given.index].kind;
-  const auto [first, second] = anchors(joint);
-  const auto find_local = [&](const Anchor& anchor) {
-    return find_point(mechanism.bodies[find_body(mechanism, anchor.body)], anchor.point)->position;
-  };
-  const int carrier = find_body(mechanism, first.body);
+  const auto& [first, second] = topology.ends[given.index];
   const Rotation line = make_rotation(find_line_direction(joint));
-  return find_quantity(
-      topology,
-      {carrier, find_local(first), find_body(mechanism, second.body), find_local(second), carrier, {line.c, line.s}},
-      at);
+  return find_quantity(topology, {first.body, first.point, second.body, second.point, first.body, {line.c, line.s}},
+                       at);
 }
 
 double find_way(const GivenStart& given, double from) {

@@ -44,10 +44,8 @@ State make_state(const System& system, const Assembly& assembly) {
     const int joint = topology.free_slide_joint[s];
     if (joint < 0) continue;
     const auto& prismatic = std::get<Prismatic>(mechanism.joints[joint].kind);
-    const int first = find_body(mechanism, prismatic.first.body);
-    const int second = find_body(mechanism, prismatic.second.body);
-    const Vec2 first_local = find_point(mechanism.bodies[first], prismatic.first.point)->position;
-    const Vec2 second_local = find_point(mechanism.bodies[second], prismatic.second.point)->position;
+    const auto& [first, first_local] = topology.ends[joint].first;
+    const auto& [second, second_local] = topology.ends[joint].second;
     const Vec2 apart = assembly.poses[second].find_point(second_local) - assembly.poses[first].find_point(first_local);
     const Vec2 velocity =
         find_velocity(assembly.poses[second], second_local) - find_velocity(assembly.poses[first], first_local);
