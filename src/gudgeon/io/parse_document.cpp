@@ -14,24 +14,21 @@ namespace gudgeon {
 
 namespace {
 
-/// Finds pieces of the text by line and column.
+/// Finds pieces of the text by line and column, which the library counts in code points.
 class TextIndex {
  public:
   explicit TextIndex(std::string_view text) : text_(text) {
     lines_.push_back(0);
     for (std::size_t i = 0; i < text.size(); ++i) {
-      if (text[i] == '\n') lines_.push_back(i + 1);
+      if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) code_points_.push_back(i);
+      if (text[i] == '\n') lines_.push_back(code_points_.size());
     }
   }
 
   [[nodiscard]] std::size_t offset(toml::source_position position) const {
     if (position.line == 0 || position.line > lines_.size()) return text_.size();
-    std::size_t at = lines_[position.line - 1];
-    for (toml::source_index column = 1; column < position.column && at < text_.size(); ++column) {
-      ++at;
-      while (at < text_.size() && (static_cast<unsigned char>(text_[at]) & 0xC0U) == 0x80U) ++at;
-    }
-    return at;
+    const std::size_t at = lines_[position.line - 1] + std::max<std::size_t>(position.column, 1) - 1;
+    return at < code_points_.size() ? code_points_[at] : text_.size();
   }
 
   [[nodiscard]] std::string slice(const toml::source_region& region) const {
@@ -44,7 +41,8 @@ class TextIndex {
 
  private:
   std::string_view text_;
-  std::vector<std::size_t> lines_;
+  std::vector<std::size_t> code_points_;  // where each begins
+  std::vector<std::size_t> lines_;        // the first code point of each
 };
 
 SourceSpan make_span(const toml::source_region& region) {
