@@ -27,24 +27,31 @@ void check_start(CheckRules& rules, const Body& body, const std::string& subject
   if (start.velocity) rules.check_finite(subject, path + ".start.velocity", *start.velocity);
 }
 
-bool is_held(const Mechanism& mechanism, const Body& body) {
-  return std::ranges::any_of(mechanism.joints, [&](const Joint& joint) {
+/// Which bodies an ideal joint holds, one entry a body.
+std::vector<bool> list_held(const CheckRules& rules) {
+  std::vector<bool> held(rules.mechanism.bodies.size(), false);
+  for (const Joint& joint : rules.mechanism.joints) {
+    if (has_clearance(joint.kind)) continue;
     const auto [first, second] = anchors(joint.kind);
-    return !has_clearance(joint.kind) && (first.body == body.name || second.body == body.name);
-  });
+    for (const std::string* name : {&first.body, &second.body}) {
+      if (const int body = rules.names.find_body(*name); body >= 0) held[body] = true;
+    }
+  }
+  return held;
 }
 
-void check_inertia(CheckRules& rules, const Body& body, const std::string& subject, const std::string& path) {
+void check_inertia(CheckRules& rules, const Body& body, bool is_held, const std::string& path) {
+  const std::string subject = fmt::format("body '{}'", body.name);
   const CheckRules::Value inertia{subject, path + ".inertia", body.inertia, dimension::kInertia};
   rules.check_range("E-MODEL-004", inertia, kNotNegative);
-  if (body.inertia != 0.0 || is_held(rules.mechanism, body)) return;
+  if (body.inertia != 0.0 || is_held) return;
   rules.diagnostics.error("E-MODEL-006", path + ".inertia",
                           fmt::format("{}: inertia is {}; only a body on an ideal joint may be a point mass", subject,
                                       rules.describe(inertia)),
                           {"a body that is free to turn about its centre of mass needs an inertia above 0"});
 }
 
-void check_body(CheckRules& rules, const Body& body) {
+void check_body(CheckRules& rules, const Body& body, bool is_held) {
   const std::string subject = fmt::format("body '{}'", body.name);
   const std::string path = fmt::format("bodies.{}", body.name);
   for (const Point& point : body.points) {
@@ -52,24 +59,38 @@ void check_body(CheckRules& rules, const Body& body) {
   }
   if (body.name == kFrameName) return;
   rules.check_range("E-MODEL-003", {subject, path + ".mass", body.mass, dimension::kMass}, kPositive);
-  check_inertia(rules, body, subject, path);
+  check_inertia(rules, body, is_held, path);
   rules.check_finite(subject, path + ".center_of_mass", body.center_of_mass);
   check_start(rules, body, subject, path);
 }
 
-/// Marks every body that joints tie to the given one.
-void update_reached(const Mechanism& mechanism, std::size_t from, std::vector<bool>& reached) {
+/// Which bodies every body is tied to by joints, one list a body.
+std::vector<std::vector<int>> list_tied(const CheckRules& rules) {
+  std::vector<std::vector<int>> tied(rules.mechanism.bodies.size());
+  for (const Joint& joint : rules.mechanism.joints) {
+    const auto [first, second] = anchors(joint.kind);
+    const int a = rules.names.find_body(first.body);
+    const int b = rules.names.find_body(second.body);
+    if (a < 0 || b < 0) continue;
+    tied[a].push_back(b);
+    tied[b].push_back(a);
+  }
+  return tied;
+}
+
+/// Marks the given body and every one that joints tie to it; returns them in the order of the model.
+std::vector<int> update_reached(const std::vector<std::vector<int>>& tied, int from, std::vector<bool>& reached) {
+  std::vector<int> island{from};
   reached[from] = true;
-  for (bool grown = true; grown;) {
-    grown = false;
-    for (const Joint& joint : mechanism.joints) {
-      const auto [first, second] = anchors(joint.kind);
-      const int a = find_body(mechanism, first.body);
-      const int b = find_body(mechanism, second.body);
-      if (a < 0 || b < 0 || reached[a] == reached[b]) continue;
-      reached[a] = reached[b] = grown = true;
+  for (std::size_t k = 0; k < island.size(); ++k) {
+    for (const int body : tied[island[k]]) {
+      if (reached[body]) continue;
+      reached[body] = true;
+      island.push_back(body);
     }
   }
+  std::ranges::sort(island);
+  return island;
 }
 
 void remark_free(CheckRules& rules, const std::vector<std::string>& island) {
@@ -85,17 +106,13 @@ void remark_free(CheckRules& rules, const std::vector<std::string>& island) {
 }
 
 void check_connections(CheckRules& rules) {
-  const Mechanism& mechanism = rules.mechanism;
-  std::vector<bool> reached(mechanism.bodies.size(), false);
-  update_reached(mechanism, 0, reached);
-  for (std::size_t i = 0; i < reached.size(); ++i) {
-    if (reached[i]) continue;
-    const std::vector<bool> before = reached;
-    update_reached(mechanism, i, reached);
+  const std::vector<std::vector<int>> tied = list_tied(rules);
+  std::vector<bool> reached(tied.size(), false);
+  update_reached(tied, 0, reached);
+  for (int b = 0; b < static_cast<int>(reached.size()); ++b) {
+    if (reached[b]) continue;
     std::vector<std::string> island;
-    for (std::size_t k = 0; k < reached.size(); ++k) {
-      if (reached[k] && !before[k]) island.push_back(mechanism.bodies[k].name);
-    }
+    for (const int body : update_reached(tied, b, reached)) island.push_back(rules.mechanism.bodies[body].name);
     remark_free(rules, island);
   }
 }
@@ -109,7 +126,8 @@ void check_bodies(CheckRules& rules) {
     return;
   }
   if (bodies.size() == 1) rules.diagnostics.error("E-MODEL-008", "bodies", "there is no moving body");
-  for (const Body& body : bodies) check_body(rules, body);
+  const std::vector<bool> held = list_held(rules);
+  for (std::size_t b = 0; b < bodies.size(); ++b) check_body(rules, bodies[b], held[b]);
   check_connections(rules);
 }
 

@@ -92,8 +92,7 @@ class DriverCheck {
 
  private:
   void remark_start_displacement(const DrivenSlide& slide) {
-    const auto* guide =
-        std::get_if<Prismatic>(&rules_.mechanism.joints[find_joint(rules_.mechanism, slide.joint)].kind);
+    const auto* guide = std::get_if<Prismatic>(&rules_.mechanism.joints[rules_.names.find_joint(slide.joint)].kind);
     if (guide == nullptr || !guide->start_displacement || !start_) return;
     const double given = *guide->start_displacement;
     if (!(std::abs(given - *start_) > kSameDisplacement * std::max(std::abs(given), std::abs(*start_)))) return;
@@ -103,7 +102,7 @@ class DriverCheck {
   }
 
   bool check_body(const char* key, const std::string& body) {
-    if (find_body(rules_.mechanism, body) >= 0) return true;
+    if (rules_.names.find_body(body) >= 0) return true;
     rules_.report_unknown("E-MODEL-040", path_ + key,
                           fmt::format("{} drives {}body '{}', and no body has that name", subject_,
                                       std::string_view{key} == ".against" ? "against " : "", body),
@@ -112,7 +111,7 @@ class DriverCheck {
   }
 
   bool check_slide(const std::string& joint) {
-    const int index = find_joint(rules_.mechanism, joint);
+    const int index = rules_.names.find_joint(joint);
     if (index < 0) {
       rules_.report_unknown("E-MODEL-040", path_ + ".slide",
                             fmt::format("{} drives joint '{}', and no joint has that name", subject_, joint), joint,
@@ -165,7 +164,7 @@ class DriverCheck {
 
   [[nodiscard]] std::optional<double> find_guess(const std::string& body) const {
     if (body == kFrameName) return 0.0;
-    const int index = find_body(rules_.mechanism, body);
+    const int index = rules_.names.find_body(body);
     return index < 0 ? std::nullopt : rules_.mechanism.bodies[index].start.angle;
   }
 

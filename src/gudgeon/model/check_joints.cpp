@@ -155,7 +155,7 @@ void check_joint(CheckRules& rules, const Joint& joint) {
 
 void check_anchor(CheckRules& rules, const std::string& subject, const std::string& path, const Anchor& anchor) {
   const Mechanism& mechanism = rules.mechanism;
-  const int index = find_body(mechanism, anchor.body);
+  const int index = rules.names.find_body(anchor.body);
   if (index < 0) {
     rules.report_unknown(
         "E-MODEL-021", path,
@@ -164,7 +164,7 @@ void check_anchor(CheckRules& rules, const std::string& subject, const std::stri
     return;
   }
   const Body& body = mechanism.bodies[index];
-  if (find_point(body, anchor.point) != nullptr) return;
+  if (rules.names.find_point(index, anchor.point) != nullptr) return;
   rules.report_unknown("E-MODEL-022", path,
                        fmt::format("{} is on '{}.{}', and body '{}' has no point '{}'", subject, anchor.body,
                                    anchor.point, anchor.body, anchor.point),

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "gudgeon/geometry/longest_distance.h"
 #include "gudgeon/model/check_rules.h"
 
 namespace gudgeon {
@@ -35,11 +36,7 @@ double find_extent(const Body& body) {
   std::vector<Vec2> places;
   for (const Point& point : body.points) places.push_back(point.position);
   if (body.name != kFrameName) places.push_back(body.center_of_mass);
-  double extent = 0.0;
-  for (const Vec2 a : places) {
-    for (const Vec2 b : places) extent = std::max(extent, norm(a - b));
-  }
-  return extent;
+  return find_longest_distance(places);
 }
 
 double find_reach(const Body& body) {
@@ -53,14 +50,17 @@ std::string print_length(double meters) {
   return meters < 1.0 ? fmt::format("{:.3g} mm", 1e3 * meters) : fmt::format("{:.3g} m", meters);
 }
 
-/// Whether an ideal guide or a weld of the frame keeps the body's angle: its inertia is of no account.
-bool is_kept_from_turning(const Mechanism& mechanism, const Body& body) {
-  return std::ranges::any_of(mechanism.joints, [&](const Joint& joint) {
-    if (!std::holds_alternative<Prismatic>(joint.kind) && !std::holds_alternative<Rigid>(joint.kind)) return false;
+/// Bodies whose angle an ideal guide or a weld of the frame keeps: their inertia is of no account. One entry a body.
+std::vector<bool> list_kept_from_turning(const CheckRules& rules) {
+  std::vector<bool> kept(rules.mechanism.bodies.size(), false);
+  for (const Joint& joint : rules.mechanism.joints) {
+    if (!std::holds_alternative<Prismatic>(joint.kind) && !std::holds_alternative<Rigid>(joint.kind)) continue;
     const auto [first, second] = anchors(joint.kind);
-    return (first.body == kFrameName && second.body == body.name) ||
-           (second.body == kFrameName && first.body == body.name);
-  });
+    if (first.body != kFrameName && second.body != kFrameName) continue;
+    const int body = rules.names.find_body(first.body == kFrameName ? second.body : first.body);
+    if (body >= 0) kept[body] = true;
+  }
+  return kept;
 }
 
 void remark_inertia(CheckRules& rules, const Body& body, double largest_extent) {
@@ -87,7 +87,7 @@ void remark_inertia(CheckRules& rules, const Body& body, double largest_extent) 
 }
 
 void add_length(std::vector<Length>& lengths, std::string subject, std::string path, std::optional<double> value) {
-  if (value && *value != 0.0) lengths.push_back({std::move(subject), std::move(path), std::abs(*value)});
+  if (value && std::abs(*value) > 0.0) lengths.push_back({std::move(subject), std::move(path), std::abs(*value)});
 }
 
 /// One of every body, start displacement, free length and driven slide.
@@ -117,28 +117,25 @@ std::vector<Length> list_lengths(const Mechanism& mechanism) {
   return lengths;
 }
 
-/// The middle one of all lengths but that one; nothing when it is the only one.
-std::optional<double> find_usual_length(const std::vector<Length>& lengths, std::size_t but) {
-  std::vector<double> others;
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    if (i != but) others.push_back(lengths[i].value);
-  }
-  if (others.empty()) return std::nullopt;
-  const auto middle = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
-  std::ranges::nth_element(others, middle);
-  return *middle;
+/// The middle one of all lengths but one of that value; nothing when it is the only one.
+std::optional<double> find_usual_length(const std::vector<double>& sorted, double but) {
+  if (sorted.size() < 2) return std::nullopt;
+  const std::size_t middle = (sorted.size() - 1) / 2;
+  return but > sorted[middle] ? sorted[middle] : sorted[middle + 1];
 }
 
 void remark_lengths(CheckRules& rules) {
   const std::vector<Length> lengths = list_lengths(rules.mechanism);
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const std::optional<double> usual = find_usual_length(lengths, i);
-    if (!usual || !(lengths[i].value > kFarBeyond * *usual) || !std::isfinite(lengths[i].value)) continue;
-    rules.diagnostics.remark(
-        "R-MODEL-131", lengths[i].path,
-        fmt::format("{} is {}, {:.0f} times the usual length of this model, {}", lengths[i].subject,
-                    print_length(lengths[i].value), lengths[i].value / *usual, print_length(*usual)),
-        {"a number without unit is in metres"});
+  std::vector<double> sorted;
+  for (const Length& length : lengths) sorted.push_back(length.value);
+  std::ranges::sort(sorted);
+  for (const Length& length : lengths) {
+    const std::optional<double> usual = find_usual_length(sorted, length.value);
+    if (!usual || !(length.value > kFarBeyond * *usual) || !std::isfinite(length.value)) continue;
+    rules.diagnostics.remark("R-MODEL-131", length.path,
+                             fmt::format("{} is {}, {:.0f} times the usual length of this model, {}", length.subject,
+                                         print_length(length.value), length.value / *usual, print_length(*usual)),
+                             {"a number without unit is in metres"});
   }
 }
 
@@ -147,9 +144,10 @@ void remark_lengths(CheckRules& rules) {
 void check_plausibility(CheckRules& rules) {
   double largest_extent = 0.0;
   for (const Body& body : rules.mechanism.bodies) largest_extent = std::max(largest_extent, find_extent(body));
-  for (const Body& body : rules.mechanism.bodies) {
-    if (body.name == kFrameName || is_kept_from_turning(rules.mechanism, body)) continue;
-    remark_inertia(rules, body, largest_extent);
+  const std::vector<bool> kept = list_kept_from_turning(rules);
+  for (std::size_t b = 0; b < kept.size(); ++b) {
+    const Body& body = rules.mechanism.bodies[b];
+    if (body.name != kFrameName && !kept[b]) remark_inertia(rules, body, largest_extent);
   }
   remark_lengths(rules);
 }

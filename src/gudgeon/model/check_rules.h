@@ -12,6 +12,7 @@
 #include "gudgeon/base/parameter_table.h"
 #include "gudgeon/base/vec2.h"
 #include "gudgeon/model/mechanism.h"
+#include "gudgeon/model/name_index.h"
 #include "gudgeon/model/study.h"
 
 namespace gudgeon {
@@ -19,7 +20,7 @@ namespace gudgeon {
 class CheckRules {
  public:
   CheckRules(const Mechanism& model, const Study& plan, const SourceMap* source, bool read_with_errors)
-      : mechanism(model), study(plan), source_(source), read_with_errors_(read_with_errors) {}
+      : mechanism(model), names(model), study(plan), source_(source), read_with_errors_(read_with_errors) {}
 
   /// One value of the model: the subject and key name it for the user, the path finds its place.
   struct Value {
@@ -41,6 +42,7 @@ class CheckRules {
   [[nodiscard]] std::string describe(const Value& value) const;
 
   const Mechanism& mechanism;
+  const NameIndex names;
   const Study& study;
   Diagnostics diagnostics;
 

@@ -57,7 +57,7 @@ void add_joint(const Mechanism& mechanism, const Topology& topology, ClosureRows
 }  // namespace
 
 void compile_closures(const Mechanism& mechanism, const Topology& topology, const ActiveRows& active, Tables& tables) {
-  const AnchorIndex index(mechanism);
+  const NameIndex names(mechanism);
   int row = topology.counts.n_free();
   for (std::size_t c = 0; c < topology.closures.size(); ++c) {
     const Closure& closure = topology.closures[c];
@@ -75,8 +75,8 @@ void compile_closures(const Mechanism& mechanism, const Topology& topology, cons
     if (closure.kind == ClosureKind::angle) {
       const Driver& driver = mechanism.drivers[topology.driven[closure.driver].driver];
       const auto& angle = std::get<DrivenAngle>(driver.target);
-      rows.angle_turn[0] = topology.bodies[index.find_body(angle.body)].turn;
-      rows.angle_turn[1] = topology.bodies[index.find_body(angle.against)].turn;
+      rows.angle_turn[0] = topology.bodies[names.find_body(angle.body)].turn;
+      rows.angle_turn[1] = topology.bodies[names.find_body(angle.against)].turn;
     } else {
       add_joint(mechanism, topology, rows, tables);
     }

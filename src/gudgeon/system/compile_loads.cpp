@@ -15,7 +15,7 @@ class LoadCompiler {
  public:
   LoadCompiler(const Mechanism& mechanism, const Topology& topology, Tables& tables)
       : mechanism_(mechanism),
-        index_(mechanism),
+        names_(mechanism),
         topology_(topology),
         tables_(tables),
         known_(list_state_channels(mechanism)) {
@@ -63,13 +63,13 @@ class LoadCompiler {
   }
 
   [[nodiscard]] const BodyNode& find_node(const std::string& body) const {
-    return topology_.bodies[index_.find_body(body)];
+    return topology_.bodies[names_.find_body(body)];
   }
 
   int add_point(int body, Vec2 local) { return tables_.points.add(topology_.find_path(body, local), topology_.counts); }
 
   int add_point(const Anchor& anchor) {
-    const JointEnd end = index_.find(anchor);
+    const JointEnd end = find_end(names_, anchor);
     return add_point(end.body, end.point);
   }
 
@@ -158,7 +158,7 @@ class LoadCompiler {
   }
 
   const Mechanism& mechanism_;
-  AnchorIndex index_;
+  NameIndex names_;
   const Topology& topology_;
   Tables& tables_;
   std::vector<StateChannel> known_;

@@ -33,13 +33,13 @@ KineticTerms sum_kinetic_terms(const Mechanism& mechanism, const Topology& topol
     }
   }
 
-  const AnchorIndex index(mechanism);
+  const NameIndex names(mechanism);
   for (const Load& load : mechanism.loads) {
     if (const auto* force = std::get_if<ConstantForce>(&load.kind)) {
-      const JointEnd end = index.find(force->point);
+      const JointEnd end = find_end(names, force->point);
       add_force(topology.find_path(end.body, end.point), force->force);
     } else if (const auto* torque = std::get_if<ConstantTorque>(&load.kind)) {
-      sums.turn_torque[topology.bodies[index.find_body(torque->body)].turn] += torque->torque;
+      sums.turn_torque[topology.bodies[names.find_body(torque->body)].turn] += torque->torque;
     }
   }
   return sums;

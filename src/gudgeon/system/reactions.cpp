@@ -10,12 +10,12 @@ namespace gudgeon {
 
 ReactionFinder::ReactionFinder(const System& system) : system_(&system), sweep_(system), self_stress_(system) {
   const Mechanism& mechanism = system.mechanism;
-  const AnchorIndex index(mechanism);
+  const NameIndex names(mechanism);
   const auto anchored = [&](const Anchor& anchor) {
-    const JointEnd end = index.find(anchor);
+    const JointEnd end = find_end(names, anchor);
     return Anchored{end.body, end.point - mechanism.bodies[end.body].center_of_mass};
   };
-  const auto find_index = [&](const std::string& name) { return index.find_body(name); };
+  const auto find_index = [&](const std::string& name) { return names.find_body(name); };
   for (const Contact& contact : system.tables.contacts) {
     const int body = sweep_.second(contact.joint).body;
     contact_points_.push_back({body, contact.journal_center - mechanism.bodies[body].center_of_mass});

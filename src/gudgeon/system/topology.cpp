@@ -27,7 +27,7 @@ class TopologyBuilder {
  public:
   explicit TopologyBuilder(const Mechanism& mechanism)
       : mechanism_(mechanism),
-        index_(mechanism),
+        names_(mechanism),
         ends_(find_joint_ends(mechanism)),
         pinned_(find_pinned_bodies(mechanism, ends_)),
         groups_(find_angle_groups(mechanism, ends_, pinned_.pairs)) {
@@ -56,14 +56,14 @@ class TopologyBuilder {
     for (int d = 0; d < static_cast<int>(mechanism_.drivers.size()); ++d) {
       const Driver& driver = mechanism_.drivers[d];
       if (const auto* slide = std::get_if<DrivenSlide>(&driver.target)) {
-        int& slot = slide_driver_[find_joint(mechanism_, slide->joint)];
+        int& slot = slide_driver_[names_.find_joint(slide->joint)];
         if (slot >= 0) throw_driver_error(driver, "its joint is driven already", "remove one of the two drivers");
         slot = d;
         continue;
       }
       const DrivenAngle& angle = std::get<DrivenAngle>(driver.target);
-      const int group = groups_.group[index_.find_body(angle.body)];
-      const int against = groups_.group[index_.find_body(angle.against)];
+      const int group = groups_.group[names_.find_body(angle.body)];
+      const int against = groups_.group[names_.find_body(angle.against)];
       if (against != groups_.group[0]) {
         if (group == against) {
           throw_driver_error(driver, "guides, rigid joints or two pins hold the angle between its two bodies",
@@ -111,8 +111,8 @@ class TopologyBuilder {
     DrivenMotion motion{index, 0.0, 0.0, driver.motion};
     if (driver.is_uniform()) motion.start = driver.start, motion.speed = driver.speed;
     if (const auto* angle = std::get_if<DrivenAngle>(&driver.target)) {
-      motion.start += groups_.offset[index_.find_body(angle->against)];
-      motion.start -= groups_.offset[index_.find_body(angle->body)];
+      motion.start += groups_.offset[names_.find_body(angle->against)];
+      motion.start -= groups_.offset[names_.find_body(angle->body)];
     }
     return motion;
   }
@@ -221,7 +221,7 @@ class TopologyBuilder {
   }
 
   const Mechanism& mechanism_;
-  AnchorIndex index_;
+  NameIndex names_;
   std::vector<JointEnds> ends_;
   PinnedBodies pinned_;
   AngleGroups groups_;
