@@ -160,6 +160,20 @@ TEST(ModelReader, KnowsWhereValuesStand) {
   EXPECT_EQ(source.written.at("joints.A.radial_clearance"), "\"0.5 mm\"");
 }
 
+TEST(ModelReader, KnowsTheTextOfValuesBehindLettersOfSeveralBytes) {
+  const std::string names = R"(name = "µ–𝛿"  # größer
+description = "Δ"
+bodies.frame.points = { "µ" = ["1 mm", "2 µm"], B = ["3 mm", "4 µm"] }
+)";
+  const SourceMap source = read_model_text("m.toml", names).source;
+  EXPECT_EQ(source.written.at("name"), "\"µ–𝛿\"");
+  EXPECT_EQ(source.written.at("description"), "\"Δ\"");
+  EXPECT_EQ(source.written.at("bodies.frame.points.µ.1"), "\"2 µm\"");
+  EXPECT_EQ(source.written.at("bodies.frame.points.B.0"), "\"3 mm\"");
+  EXPECT_EQ(source.written.at("bodies.frame.points.B.1"), "\"4 µm\"");
+  EXPECT_EQ(source.spans.at("bodies.frame.points.B.1").column, 62);
+}
+
 TEST(ModelReader, ReportsSeveralErrorsAtOnceEachAtItsPlace) {
   std::string text = replaced(kGood, "mass = \"1 kg\"", "mass = \"1 m\"");
   text = replaced(text, "radial_clearance = \"0.5 mm\"", "radial_clearance = \"-0.5 mm\"");

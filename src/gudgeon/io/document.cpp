@@ -27,19 +27,35 @@ std::string_view kind_name(const DocumentNode& node) {
   return kNames[node.value.index()];
 }
 
-void update_source(const DocumentNode& node, const std::string& path, SourceMap& source) {
+namespace {
+
+// The path is given back as it was.
+void add_to_source(const DocumentNode& node, std::string& path, SourceMap& source) {
   if (!path.empty()) {
     if (node.span.line > 0) source.spans[path] = node.span;
     if (!node.origin.empty()) source.origins[path] = node.origin;
   }
-  const std::string prefix = path.empty() ? "" : path + ".";
+  const std::size_t length = path.size();
+  const auto add_child = [&](const DocumentNode& child, std::string_view key) {
+    if (length > 0) path += '.';
+    path += key;
+    add_to_source(child, path, source);
+    path.resize(length);
+  };
   if (const auto* table = node.table()) {
-    for (const DocumentEntry& entry : *table) update_source(entry.node, prefix + entry.key, source);
+    for (const DocumentEntry& entry : *table) add_child(entry.node, entry.key);
   } else if (const auto* array = std::get_if<DocumentNode::Array>(&node.value)) {
-    for (std::size_t i = 0; i < array->size(); ++i) update_source((*array)[i], fmt::format("{}{}", prefix, i), source);
+    for (std::size_t i = 0; i < array->size(); ++i) add_child((*array)[i], fmt::format_int(i).c_str());
   } else {
     source.written[path] = node.written;
   }
+}
+
+}  // namespace
+
+void update_source(const DocumentNode& root, SourceMap& source) {
+  std::string path;
+  add_to_source(root, path, source);
 }
 
 }  // namespace gudgeon

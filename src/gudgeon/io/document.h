@@ -52,7 +52,7 @@ std::optional<DocumentNode> parse_document(SourceMap& source, Diagnostics& diagn
 /// A single TOML value: number, bool, quoted text, array or inline table. Anything else is taken as an unquoted text.
 DocumentNode parse_value(std::string_view text);
 
-/// Registers the places and texts of all values below a node in the source map, under their dotted paths.
-void update_source(const DocumentNode& node, const std::string& path, SourceMap& source);
+/// Registers the places and texts of all values of a document in the source map, under their dotted paths.
+void update_source(const DocumentNode& root, SourceMap& source);
 
 }  // namespace gudgeon

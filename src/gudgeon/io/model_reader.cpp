@@ -109,14 +109,16 @@ ModelFile read_model_text(std::string file_name, std::string text, std::string_v
   model.overrides.assign(overrides.begin(), overrides.end());
   std::optional<DocumentNode> root = parse_document(model.source, model.diagnostics);
   if (!root) return model;
-  update_source(*root, "", model.source);
   model.cases = read_cases(*root, model.source, model.diagnostics);
-  if (!model.case_name.empty()) update_with_case(*root, model);
-  update_with_overrides(*root, model);
-  // Replaced values take their places and texts with them; overrides that found no value keep theirs, "(override …)".
-  std::erase_if(model.source.spans, [](const auto& item) { return !item.first.starts_with('('); });
-  model.source.written.clear();
-  update_source(*root, "", model.source);
+  update_source(*root, model.source);
+  if (!model.case_name.empty() || !model.overrides.empty()) {
+    if (!model.case_name.empty()) update_with_case(*root, model);
+    update_with_overrides(*root, model);
+    // Replaced values take their places and texts with them; overrides that found no value keep theirs, "(override …)".
+    std::erase_if(model.source.spans, [](const auto& item) { return !item.first.starts_with('('); });
+    model.source.written.clear();
+    update_source(*root, model.source);
+  }
   read_sections(*root, model);
   update_cycle(model.mechanism, model.study);
   append_check(check(model.mechanism, model.study, &model.source, model.diagnostics.has_errors()), model.diagnostics);

@@ -20,15 +20,17 @@ class TextIndex {
   explicit TextIndex(std::string_view text) : text_(text) {
     lines_.push_back(0);
     for (std::size_t i = 0; i < text.size(); ++i) {
-      if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) code_points_.push_back(i);
-      if (text[i] == '\n') lines_.push_back(code_points_.size());
+      const std::size_t code_point = i - followers_.size();
+      if ((static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U) followers_.push_back(code_point);
+      if (text[i] == '\n') lines_.push_back(code_point + 1);
     }
   }
 
   [[nodiscard]] std::size_t offset(toml::source_position position) const {
     if (position.line == 0 || position.line > lines_.size()) return text_.size();
     const std::size_t at = lines_[position.line - 1] + std::max<std::size_t>(position.column, 1) - 1;
-    return at < code_points_.size() ? code_points_[at] : text_.size();
+    const auto before = std::ranges::upper_bound(followers_, at) - followers_.begin();
+    return std::min(at + static_cast<std::size_t>(before), text_.size());
   }
 
   [[nodiscard]] std::string slice(const toml::source_region& region) const {
@@ -41,8 +43,9 @@ class TextIndex {
 
  private:
   std::string_view text_;
-  std::vector<std::size_t> code_points_;  // where each begins
-  std::vector<std::size_t> lines_;        // the first code point of each
+  // Of every byte but the first one of its code point: how many code points are begun before it.
+  std::vector<std::size_t> followers_;
+  std::vector<std::size_t> lines_;  // the first code point of each
 };
 
 SourceSpan make_span(const toml::source_region& region) {

@@ -47,7 +47,9 @@ AnyWear share_of(const AnyWear& total, double share) {
 void update_shared_spans(const std::string& contact, ReadLog& log) {
   const std::string total = contact + ".wear";
   std::vector<std::pair<std::string, SourceSpan>> copies;
-  for (const auto& [path, span] : log.source.spans) {
+  const auto& spans = log.source.spans;
+  for (auto at = spans.lower_bound(total); at != spans.end() && at->first.starts_with(total); ++at) {
+    const auto& [path, span] = *at;
     if (path != total && !path.starts_with(total + ".")) continue;
     for (const char* surface : {".bearing_wear", ".journal_wear"}) {
       copies.emplace_back(contact + surface + path.substr(total.size()), span);
