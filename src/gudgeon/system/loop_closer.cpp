@@ -9,6 +9,7 @@
 
 #include "gudgeon/system/closure_rank.h"
 #include "gudgeon/system/dynamics.h"
+#include "gudgeon/system/free_gradients.h"
 #include "gudgeon/system/least_solution.h"
 #include "gudgeon/system/sparse_closures.h"
 
@@ -26,8 +27,6 @@ constexpr double kLoopClosedShare = 1e-13;
 constexpr double kLoopRoundedShare = 100.0 * kLoopClosedShare;
 constexpr int kMostClosingSteps = 200;
 constexpr double kMostTurnOfStep = 0.5;  // [rad, m] in one step
-// A given value counts as free when so much of its gradient lies in the directions that the loops leave.
-constexpr double kFreeShare = 1e-6;
 
 }  // namespace
 
@@ -150,27 +149,14 @@ bool LoopCloser::close(std::span<const GivenStart> pinned) {
 }
 
 std::vector<GivenStart> LoopCloser::select_free(const std::vector<GivenStart>& given, int* n_free) {
-  std::vector<GivenStart> free;
-  if (q.size() == 0 || given.empty()) return free;
+  if (q.size() == 0 || given.empty()) return {};
   update();
-  // Orthonormal directions that keep the loops closed.
-  const MatrixXd kernel = RowSpace(find_sparse_jacobian(*tables_, workspace.coordinates)).find_free_basis();
-  if (n_free != nullptr) *n_free = static_cast<int>(kernel.cols());
-  MatrixXd taken(kernel.cols(), 0);
-  for (const GivenStart& one : given) {
-    if (taken.cols() == kernel.cols()) break;
-    VectorXd rest = VectorXd::Zero(kernel.cols());
-    double length = 0.0;
-    for (const auto& [coordinate, derivative] : find_quantity(one).gradient) {
-      rest += derivative * kernel.row(coordinate).transpose();
-      length = std::hypot(length, derivative);
-    }
-    for (int pass = 0; pass < 2; ++pass) rest -= taken * (taken.transpose() * rest);
-    if (!(rest.norm() > kFreeShare * length)) continue;
-    taken.conservativeResize(Eigen::NoChange, taken.cols() + 1);
-    taken.rightCols(1) = rest.normalized();
-    free.push_back(one);
-  }
+  std::vector<Gradient> gradients;
+  for (const GivenStart& one : given) gradients.push_back(find_quantity(one).gradient);
+  const FreeGradients found = find_free_gradients(find_sparse_jacobian(*tables_, workspace.coordinates), gradients);
+  if (n_free != nullptr) *n_free = found.n_free;
+  std::vector<GivenStart> free;
+  for (const int k : found.free) free.push_back(given[k]);
   return free;
 }
 

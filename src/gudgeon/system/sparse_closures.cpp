@@ -27,8 +27,6 @@ SparseMatrix find_sparse_jacobian(const Tables& tables, const Coordinates& coord
   return jacobian;
 }
 
-namespace {
-
 double find_longest_row(const SparseMatrix& rows) {
   VectorXd squares = VectorXd::Zero(rows.rows());
   for (Index column = 0; column < rows.outerSize(); ++column) {
@@ -39,11 +37,9 @@ double find_longest_row(const SparseMatrix& rows) {
   return squares.size() > 0 ? std::sqrt(squares.maxCoeff()) : 0.0;
 }
 
-}  // namespace
-
-RowSpace::RowSpace(const SparseMatrix& rows) : n_(rows.cols()), independent_(static_cast<std::size_t>(rows.rows())) {
-  const double longest = find_longest_row(rows);
-  if (!(longest > 0.0)) return;
+RowSpace::RowSpace(const SparseMatrix& rows, double longest)
+    : n_(rows.cols()), independent_(static_cast<std::size_t>(rows.rows())) {
+  if (!(longest > 0.0) || rows.nonZeros() == 0) return;
   SparseMatrix columns = rows.transpose();
   columns.makeCompressed();
   factors_.setPivotThreshold(kRankThreshold * longest);

@@ -16,12 +16,17 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// As find_closure_jacobian(), sparse. Entries that may vary are kept where they are zero: the pattern stays.
 SparseMatrix find_sparse_jacobian(const Tables& tables, const Coordinates& coordinates);
 
+/// The length of the longest row of a matrix.
+double find_longest_row(const SparseMatrix& rows);
+
 /// The rows of a matrix that are independent of those before them, to a share of the longest row, and the space they
 /// span.
 class RowSpace {
  public:
   /// Rows that are zero throughout, as the second ones of lines, never count.
-  explicit RowSpace(const SparseMatrix& rows);
+  explicit RowSpace(const SparseMatrix& rows) : RowSpace(rows, find_longest_row(rows)) {}
+  /// Rows of a larger matrix, whose longest row is given.
+  RowSpace(const SparseMatrix& rows, double longest);
 
   [[nodiscard]] int rank() const { return rank_; }
   [[nodiscard]] bool is_independent(Eigen::Index row) const { return independent_[static_cast<std::size_t>(row)]; }
