@@ -35,7 +35,7 @@ class NameIndex {
   const Mechanism* mechanism_;
   Indices bodies_;
   Indices joints_;
-  std::vector<Indices> points_;  // one a body
+  std::vector<Indices> points_;  // one a body; empty for few points
 };
 
 }  // namespace gudgeon
