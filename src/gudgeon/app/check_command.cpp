@@ -36,7 +36,7 @@ std::string render_model(ModelFile& model) {
   model.diagnostics.append(remark_ideal_start(model.mechanism, model.study));
   model.diagnostics.append(remark_pinned_bodies(model.mechanism));
   const bool color = find_color_wanted();
-  return render_counts(model.mechanism, find_mobility(model.mechanism), color) +
+  return render_counts(model.mechanism, find_mobility(model.mechanism, assembly), color) +
          render_start(model.mechanism, assembly, color) + render_loops(assembly, color) +
          render_joints(model.mechanism, color) + render_loads(model.mechanism, color) +
          render_drivers(model.mechanism, color) + render_cycle(model.study);

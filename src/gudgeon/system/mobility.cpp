@@ -68,8 +68,9 @@ void add_implied_rows(const Mechanism& mechanism, const Topology& topology, Mobi
 
 }  // namespace
 
-Mobility find_mobility(const Mechanism& mechanism) {
-  const Assembly assembly = assemble(mechanism);
+Mobility find_mobility(const Mechanism& mechanism) { return find_mobility(mechanism, assemble(mechanism)); }
+
+Mobility find_mobility(const Mechanism& mechanism, const Assembly& assembly) {
   System system{mechanism, find_topology(mechanism), {}};
   system.tables = compile_loops(mechanism, system.topology);
   const Redundancy redundancy = find_redundancy(system.tables, 0.0, make_state(system, assembly).q);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gudgeon/model/mechanism.h"
+#include "gudgeon/system/assembly.h"
 
 namespace gudgeon {
 
@@ -24,7 +24,9 @@ struct Mobility {
   bool singular_start = false;       ///< the start position has a lower rank than its neighbours
 };
 
-/// Counts and finds redundant constraints at the assembled start position. Throws ModelError as assemble() does.
+/// Counts and finds redundant constraints at the assembled start position.
+Mobility find_mobility(const Mechanism& mechanism, const Assembly& assembly);
+/// Assembles first; throws ModelError as assemble() does.
 Mobility find_mobility(const Mechanism& mechanism);
 
 }  // namespace gudgeon

@@ -19,8 +19,8 @@ namespace gudgeon {
 
 namespace {
 
-void require_regular(const Mechanism& mechanism) {
-  if (!find_mobility(mechanism).singular_start) return;
+void require_regular(const Mechanism& mechanism, const Assembly& assembly) {
+  if (!find_mobility(mechanism, assembly).singular_start) return;
   Diagnostics diagnostics;
   diagnostics.error("E-MODEL-073", "",
                     "the mechanism starts in a singular position, where its motion is not determined",
@@ -67,7 +67,7 @@ void require_accelerations(const Mechanism& mechanism, const Assembly& assembly)
 }  // namespace
 
 void require_start(const Mechanism& mechanism, const Assembly& assembly) {
-  require_regular(mechanism);
+  require_regular(mechanism, assembly);
   require_clear_start(mechanism, assembly);
   require_accelerations(mechanism, assembly);
 }

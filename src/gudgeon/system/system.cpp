@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gudgeon/system/compile_closures.h"
 #include "gudgeon/system/dynamics.h"
 #include "gudgeon/system/redundancy.h"
 #include "gudgeon/system/row_choice.h"
@@ -59,12 +60,9 @@ State make_state(const System& system, const Assembly& assembly) {
 
 System compile(const Mechanism& mechanism, const Assembly& assembly) {
   System system{mechanism, find_topology(mechanism), {}};
-  system.tables = compile_tables(mechanism, system.topology);
   const State state = make_state(system, assembly);
-  const Redundancy redundancy = find_redundancy(system.tables, 0.0, state.q);
-  if (redundancy.n_redundant_rows > 0) {
-    system.tables = compile_tables(mechanism, system.topology, &redundancy.active);
-  }
+  const Redundancy redundancy = find_redundancy(compile_loops(mechanism, system.topology), 0.0, state.q);
+  system.tables = compile_tables(mechanism, system.topology, &redundancy.active);
   if (redundancy.singular) return system;
   Workspace workspace(system.tables);
   const std::vector<ContactLatch> open(system.tables.contacts.size());
