@@ -39,8 +39,8 @@ TEST(FreeGradients, GradientsConnectPartsThatClosuresDoNot) {
 }
 
 TEST(FreeGradients, ManyPartsTakeNoLongerThanTheirNumber) {
-  // As one matrix of free directions, 20 000 by 20 000 numbers.
-  constexpr int kParts = 20000;
+  // As one matrix of free directions, 10 000 by 10 000 numbers.
+  constexpr int kParts = 10000;
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<Gradient> gradients;
   for (int k = 0; k < kParts; ++k) {

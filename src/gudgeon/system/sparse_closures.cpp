@@ -37,13 +37,42 @@ double find_longest_row(const SparseMatrix& rows) {
   return squares.size() > 0 ? std::sqrt(squares.maxCoeff()) : 0.0;
 }
 
+namespace {
+
+// The place of every coordinate: each row in turn takes the one of its coordinates that later rows need least. Those
+// left over come last. A reflection begins at the place of its own number, whatever coordinate stands there.
+std::vector<int> find_order(const SparseMatrix& transpose) {
+  std::vector<int> last_row(static_cast<std::size_t>(transpose.rows()), -1);
+  for (int row = 0; row < transpose.cols(); ++row) {
+    for (SparseMatrix::InnerIterator entry(transpose, row); entry; ++entry) last_row[entry.row()] = row;
+  }
+  std::vector<int> place(last_row.size(), -1);
+  int next = 0;
+  for (int row = 0; row < transpose.cols(); ++row) {
+    Index best = -1;
+    for (SparseMatrix::InnerIterator entry(transpose, row); entry; ++entry) {
+      if (place[entry.row()] < 0 && (best < 0 || last_row[entry.row()] < last_row[best])) best = entry.row();
+    }
+    if (best >= 0) place[best] = next++;
+  }
+  for (int& one : place) {
+    if (one < 0) one = next++;
+  }
+  return place;
+}
+
+}  // namespace
+
 RowSpace::RowSpace(const SparseMatrix& rows, double longest)
     : n_(rows.cols()), independent_(static_cast<std::size_t>(rows.rows())) {
   if (!(longest > 0.0) || rows.nonZeros() == 0) return;
-  SparseMatrix columns = rows.transpose();
-  columns.makeCompressed();
+  const SparseMatrix columns = rows.transpose();
+  const std::vector<int> order = find_order(columns);
+  order_.indices() = Eigen::VectorXi::Map(order.data(), static_cast<Index>(order.size()));
+  SparseMatrix ordered = order_ * columns;
+  ordered.makeCompressed();
   factors_.setPivotThreshold(kRankThreshold * longest);
-  factors_.compute(columns);
+  factors_.compute(ordered);
   rank_ = static_cast<int>(factors_.rank());
   // Those that are not independent were moved to the end.
   for (Index k = 0; k < rank_; ++k) {
@@ -53,9 +82,9 @@ RowSpace::RowSpace(const SparseMatrix& rows, double longest)
 
 VectorXd RowSpace::find_free_part(const VectorXd& vector) const {
   if (rank_ == 0) return vector;
-  VectorXd turned = factors_.matrixQ().transpose() * vector;
+  VectorXd turned = factors_.matrixQ().transpose() * VectorXd(order_ * vector);
   turned.head(rank_).setZero();
-  return factors_.matrixQ() * turned;
+  return order_.transpose() * VectorXd(factors_.matrixQ() * turned);
 }
 
 MatrixXd RowSpace::find_free_basis() const {
@@ -63,7 +92,7 @@ MatrixXd RowSpace::find_free_basis() const {
   MatrixXd basis = MatrixXd::Zero(n_, n_ - rank_);
   if (rank_ == n_) return basis;
   basis.bottomRows(n_ - rank_).setIdentity();
-  return factors_.matrixQ() * basis;
+  return order_.transpose() * MatrixXd(factors_.matrixQ() * basis);
 }
 
 RowRank find_row_rank(const Tables& tables, const RowSpace& rows) {

@@ -39,7 +39,9 @@ class RowSpace {
   Eigen::Index n_;
   int rank_ = 0;
   std::vector<bool> independent_;
-  Eigen::SparseQR<SparseMatrix, Eigen::NaturalOrdering<int>> factors_;  // of the transpose
+  // Coordinates stand in the order in which rows use them up, so that reflections meet no others.
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;
+  Eigen::SparseQR<SparseMatrix, Eigen::NaturalOrdering<int>> factors_;  // of the transpose in that order
 };
 
 /// Which closure rows are independent of those before them.
