@@ -37,7 +37,7 @@ awk -v prefix="$source_root/" '
     # start of a third-party header -> the floors that may include it
     room["hdf5"] = "io"; room["H5"] = "io"; room["toml++/"] = "io"
     room["CLI/"] = "app"
-    room["boost/"] = "geometry laws system sim"
+    room["boost/"] = "base geometry laws system sim"
     room["muParser"] = "base"; room["xsimd/"] = "base"
     room["sundials/"] = "sim"; room["cvode/"] = "sim"; room["nvector/"] = "sim"
     room["sunlinsol/"] = "sim"; room["sunmatrix/"] = "sim"

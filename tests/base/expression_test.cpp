@@ -57,9 +57,32 @@ TEST(Expression, KnowsFunctions) {
   EXPECT_DOUBLE_EQ(eval_constant("-2^2"), -4.0);
 }
 
+TEST(Expression, TakesEveryNumberButZeroForTrue) {
+  const std::vector<std::pair<std::string, double>> constants{{"half", 0.5}, {"nothing", 0.0}};
+  const auto eval = [&](const char* text) { return ExpressionEvaluator(text, constants, {}).eval(nullptr); };
+  EXPECT_EQ(eval("half && 1"), 1.0);
+  EXPECT_EQ(eval("half || nothing"), 1.0);
+  EXPECT_EQ(eval("nothing && half"), 0.0);
+  EXPECT_EQ(eval("nothing || 0"), 0.0);
+  EXPECT_EQ(eval("0.5 && 0.25"), 1.0);
+  EXPECT_EQ(eval("0 || -0.1"), 1.0);
+  EXPECT_EQ(eval("half ? 3 : 4"), 3.0);
+}
+
+TEST(Expression, RoundsAndRaises) {
+  EXPECT_EQ(eval_constant("floor(-1.2) + 10*ceil(-1.2) + 100*round(2.5) + 1000*round(-2.5)"),
+            -2.0 - 10.0 + 300.0 - 3000.0);
+  EXPECT_EQ(eval_constant("pow(2, 10)"), 1024.0);
+  // The divisor's sign, as in MATLAB, Octave and Python, whose % it is.
+  EXPECT_DOUBLE_EQ(eval_constant("mod(7, 3)"), 1.0);
+  EXPECT_DOUBLE_EQ(eval_constant("mod(-7, 3)"), 2.0);
+  EXPECT_DOUBLE_EQ(eval_constant("mod(7, -3)"), -2.0);
+  EXPECT_TRUE(std::isnan(eval_constant("mod(1, 0)")));
+}
+
 TEST(Expression, ListsItsFunctions) {
   const std::vector<std::string>& names = list_formula_functions();
-  EXPECT_THAT(names, testing::IsSupersetOf({"sin", "atan2", "sqrt", "smooth_step", "max"}));
+  EXPECT_THAT(names, testing::IsSupersetOf({"sin", "atan2", "sqrt", "smooth_step", "max", "floor", "mod"}));
   EXPECT_THAT(names, testing::Not(testing::Contains("pi")));
 }
 
@@ -110,14 +133,16 @@ TEST_P(ExpressionRejects, AndSaysWhere) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Texts, ExpressionRejects,
-                         testing::Values(BadExpression{"2*crnk.angle", 2, "'crnk.angle'"}, BadExpression{"t + + ", 0, "lacks a value"},
-                                         BadExpression{"sin(t", 5, "')' is missing"}, BadExpression{"sin(t, 2)", 0, "too many"},
-                                         BadExpression{"t * ", 4, "too early"}, BadExpression{"atan2(t)", 0, "too few"},
-                                         BadExpression{"k = 3", 2, "assign"}, BadExpression{"t <= 1 ? t = 2 : 1", 11, "assign"},
-                                         BadExpression{"t, 2", 1, "one value"}, BadExpression{"\"t\"", 1, "quotes"}, BadExpression{"", 0, "empty"},
-                                         BadExpression{"2 t", 2, "'t'"}, BadExpression{"t > 1 ? 2", 0, "':'"}, BadExpression{"t*_pi", 2, "'_pi'"},
-                                         BadExpression{"3*(t))", 5, "')'"}, BadExpression{"nosuch(t)", 0, "'nosuch'"}));
+INSTANTIATE_TEST_SUITE_P(
+    Texts, ExpressionRejects,
+    testing::Values(BadExpression{"2*crnk.angle", 2, "'crnk.angle'"}, BadExpression{"t + + ", 0, "lacks a value"},
+                    BadExpression{"sin(t", 5, "')' is missing"}, BadExpression{"sin(t, 2)", 0, "too many"},
+                    BadExpression{"t * ", 4, "too early"}, BadExpression{"atan2(t)", 0, "too few"},
+                    BadExpression{"k = 3", 2, "assign"}, BadExpression{"t <= 1 ? t = 2 : 1", 11, "assign"},
+                    BadExpression{"t, 2", 1, "one value"}, BadExpression{"\"t\"", 1, "quotes"},
+                    BadExpression{"", 0, "empty"}, BadExpression{"2 t", 2, "'t'"}, BadExpression{"t > 1 ? 2", 0, "':'"},
+                    BadExpression{"t*_pi", 2, "'_pi'"}, BadExpression{"3*(t))", 5, "')'"},
+                    BadExpression{"nosuch(t)", 0, "'nosuch'"}));
 
 }  // namespace
 }  // namespace gudgeon

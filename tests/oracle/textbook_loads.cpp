@@ -9,7 +9,7 @@
 #include <numbers>
 #include <utility>
 
-#include "gudgeon/base/cubic_spline.h"
+#include "gudgeon/base/curve.h"
 #include "gudgeon/base/expression.h"
 #include "gudgeon/model/channel_names.h"
 
@@ -124,7 +124,7 @@ class LoadWriter {
     }
     const auto& curve = std::get<SampledCurve>(function);
     const auto at = std::ranges::find(names, curve.over) - names.begin();
-    return CubicSpline(curve.arguments, curve.values, curve.periodic).eval(values.at(at)).value;
+    return make_load_curve(curve).eval(values.at(at)).value;
   }
 
   [[nodiscard]] double eval_channel(const StateChannel& channel) const {

@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "gudgeon/app/table_units.h"
-#include "gudgeon/base/cubic_spline.h"
+#include "gudgeon/base/curve.h"
 #include "gudgeon/base/expression.h"
 #include "gudgeon/report/table.h"
 
@@ -92,7 +92,7 @@ double find_start(const Driver& driver) {
     return ExpressionEvaluator(expression->text, expression->constants, {"t"}).eval(&start_time);
   }
   if (const auto* curve = std::get_if<SampledCurve>(&driver.motion)) {
-    return CubicSpline(curve->arguments, curve->values, curve->periodic).eval(start_time).value;
+    return make_motion_curve(*curve).eval(start_time).value;
   }
   return driver.start;
 }

@@ -28,6 +28,24 @@ double smooth_step(double x, double from, double to) {
   return u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
 }
 
+double whole_below(double x) { return std::floor(x); }
+double whole_above(double x) { return std::ceil(x); }
+double nearest_whole(double x) { return std::round(x); }
+double power(double base, double exponent) { return std::pow(base, exponent); }
+
+/// What is left of x over whole multiples of the divisor, with the divisor's sign; none for a divisor of 0.
+double remainder(double x, double divisor) { return x - divisor * std::floor(x / divisor); }
+
+/// What formulas know beyond muParser's own functions.
+void define_functions(mu::Parser& parser) {
+  parser.DefineFun("smooth_step", smooth_step);
+  parser.DefineFun("floor", whole_below);
+  parser.DefineFun("ceil", whole_above);
+  parser.DefineFun("round", nearest_whole);
+  parser.DefineFun("mod", remainder);
+  parser.DefineFun("pow", power);
+}
+
 /// Where a single '=' stands, which would assign; npos when nowhere.
 std::size_t find_assignment(const std::string& text) {
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -85,8 +103,9 @@ ExpressionError translate(const mu::ParserError& error, const std::string& text)
 
 const std::vector<std::string>& list_formula_functions() {
   static const std::vector<std::string> kNames = [] {
-    std::vector<std::string> names{"smooth_step"};
-    const mu::Parser parser;
+    std::vector<std::string> names;
+    mu::Parser parser;
+    define_functions(parser);
     for (const auto& [name, callback] : parser.GetFunDef()) names.push_back(name);
     std::ranges::sort(names);
     return names;
@@ -103,7 +122,7 @@ struct ExpressionEvaluator::Implementation {
   };
 
   mu::Parser parser;
-  std::vector<double> values;  // of all variables; the parser points into it
+  std::vector<double> values;  // of all variables, then of all constants; the parser points into it
   std::vector<int> used;
   MarkedFormula marked;
   std::vector<MarkedBreak> breaks;  // the parser points into it
@@ -144,16 +163,21 @@ ExpressionEvaluator::ExpressionEvaluator(const std::string& text,
   }
   mu::Parser& parser = implementation_->parser;
   std::vector<double>& values = implementation_->values;
-  values.assign(variables.size(), 0.0);
+  values.assign(variables.size() + constants.size(), 0.0);
   try {
     static const std::string kNameCharacters = list_name_characters();
     parser.DefineNameChars(kNameCharacters.c_str());
     parser.ClearConst();
     parser.DefineConst("pi", std::numbers::pi);
-    parser.DefineFun("smooth_step", smooth_step);
+    define_functions(parser);
+    // muParser cuts numbers to whole ones where it folds && and || at compile time, so it must fold none there; what a
+    // model calls constants are variables to it.
+    parser.EnableOptimizer(text.find("&&") == std::string::npos && text.find("||") == std::string::npos);
     // Names that do not occur need not be legal ones.
-    for (const auto& [name, value] : constants) {
-      if (text.find(name) != std::string::npos) parser.DefineConst(name, value);
+    for (std::size_t k = 0; k < constants.size(); ++k) {
+      double& place = values[variables.size() + k];
+      place = constants[k].second;
+      if (text.find(constants[k].first) != std::string::npos) parser.DefineVar(constants[k].first, &place);
     }
     for (std::size_t k = 0; k < variables.size(); ++k) {
       if (text.find(variables[k]) != std::string::npos) parser.DefineVar(variables[k], &values[k]);

@@ -5,11 +5,12 @@
 #include "gudgeon/base/formula_breaks.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
+
+#include "gudgeon/base/formula_tokens.h"
 
 namespace gudgeon {
 
@@ -18,14 +19,18 @@ namespace {
 using Tokens = std::vector<std::string>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Whole numbers beyond this are not told apart as pieces; the function's value is then simply that of its argument.
+constexpr double kMostPieces = 1e9;
 
 constexpr std::pair<std::string_view, BreakKind> kComparisons[] = {
     {"<", BreakKind::less},           {"<=", BreakKind::less_equal}, {">", BreakKind::greater},
     {">=", BreakKind::greater_equal}, {"==", BreakKind::equal},      {"!=", BreakKind::unequal}};
 constexpr std::pair<std::string_view, BreakKind> kFunctions[] = {
-    {"sign", BreakKind::sign},       {"abs", BreakKind::absolute},  {"min", BreakKind::least},
-    {"max", BreakKind::greatest},    {"floor", BreakKind::floor},   {"ceil", BreakKind::ceiling},
-    {"rint", BreakKind::nearest_up}, {"round", BreakKind::nearest}, {"smooth_step", BreakKind::smooth_step}};
+    {"sign", BreakKind::sign},       {"abs", BreakKind::absolute},
+    {"min", BreakKind::least},       {"max", BreakKind::greatest},
+    {"floor", BreakKind::floor},     {"ceil", BreakKind::ceiling},
+    {"rint", BreakKind::nearest_up}, {"round", BreakKind::nearest},
+    {"mod", BreakKind::remainder},   {"smooth_step", BreakKind::smooth_step}};
 
 template <std::size_t kSize>
 std::optional<BreakKind> find_kind(const std::pair<std::string_view, BreakKind> (&table)[kSize], const std::string& t) {
@@ -35,49 +40,9 @@ std::optional<BreakKind> find_kind(const std::pair<std::string_view, BreakKind> 
   return std::nullopt;
 }
 
-bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool is_name_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' ||
-         static_cast<unsigned char>(c) > 127;
-}
-
-// Where the number, name or operator that starts there ends.
-std::size_t find_token_end(const std::string& text, std::size_t start) {
-  std::size_t end = start;
-  if (is_digit(text[start]) || text[start] == '.') {
-    while (end < text.size() && (is_digit(text[end]) || text[end] == '.')) ++end;
-    std::size_t exponent = end;
-    if (exponent < text.size() && (text[exponent] == 'e' || text[exponent] == 'E')) {
-      ++exponent;
-      if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) ++exponent;
-      if (exponent < text.size() && is_digit(text[exponent])) {
-        while (exponent < text.size() && is_digit(text[exponent])) ++exponent;
-        end = exponent;
-      }
-    }
-    return end;
-  }
-  if (is_name_character(text[start])) {
-    while (end < text.size() && is_name_character(text[end])) ++end;
-    return end;
-  }
-  static constexpr std::string_view kPairs[] = {"<=", ">=", "==", "!=", "&&", "||"};
-  const std::string_view next = std::string_view(text).substr(start, 2);
-  return start + (std::ranges::find(kPairs, next) != std::end(kPairs) ? 2 : 1);
-}
-
 Tokens split(const std::string& text) {
   Tokens tokens;
-  for (std::size_t at = 0; at < text.size();) {
-    if (is_space(text[at])) {
-      ++at;
-      continue;
-    }
-    const std::size_t end = find_token_end(text, at);
-    tokens.push_back(text.substr(at, end - at));
-    at = end;
-  }
+  for (const FormulaToken& token : split_formula(text)) tokens.emplace_back(token.text);
   return tokens;
 }
 
@@ -168,10 +133,24 @@ double find_lead(const double* x, int n, int chosen, double sign) {
   return sign * x[chosen] - others;
 }
 
-int find_whole(double x) { return static_cast<int>(std::clamp(x, -1e9, 1e9)); }
+int find_whole(double x) { return std::isnan(x) ? 0 : static_cast<int>(std::clamp(x, -kMostPieces, kMostPieces)); }
 
 // How far along its rise a smooth step is, not bounded.
 double find_rise(const double* x) { return (x[0] - x[1]) / (x[2] - x[1]); }
+
+// The whole number that a function of rounding gives.
+double round_whole(BreakKind kind, double x) {
+  switch (kind) {
+    case BreakKind::floor:
+      return std::floor(x);
+    case BreakKind::ceiling:
+      return std::ceil(x);
+    case BreakKind::nearest_up:
+      return std::floor(x + 0.5);
+    default:
+      return std::round(x);
+  }
+}
 
 int find_piece(BreakKind kind, const double* x, int n) {
   switch (kind) {
@@ -183,13 +162,12 @@ int find_piece(BreakKind kind, const double* x, int n) {
     case BreakKind::greatest:
       return find_least(x, n, -1.0);
     case BreakKind::floor:
-      return find_whole(std::floor(x[0]));
     case BreakKind::ceiling:
-      return find_whole(std::ceil(x[0]));
     case BreakKind::nearest_up:
-      return find_whole(std::floor(x[0] + 0.5));
     case BreakKind::nearest:
-      return find_whole(std::round(x[0]));
+      return find_whole(round_whole(kind, x[0]));
+    case BreakKind::remainder:
+      return find_whole(std::floor(x[0] / x[1]));
     case BreakKind::smooth_step: {
       const double u = find_rise(x);
       return u < 0.0 ? -1 : (u > 1.0 ? 1 : 0);
@@ -223,8 +201,13 @@ double find_value(BreakKind kind, const double* x, int piece) {
       const double u = find_rise(x);
       return u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
     }
-    default:
+    case BreakKind::remainder:
+      if (std::abs(x[0] / x[1]) < kMostPieces) return x[0] - x[1] * piece;
+      return x[0] - x[1] * std::floor(x[0] / x[1]);
+    case BreakKind::sign:
       return piece;
+    default:
+      return std::abs(x[0]) < kMostPieces ? piece : round_whole(kind, x[0]);
   }
 }
 
@@ -248,6 +231,11 @@ void note_bounds(BreakKind kind, const double* x, int n, BreakState& state) {
       state.argument = x[0];
       state.low = piece - 0.5;
       state.high = piece + 0.5;
+      return;
+    case BreakKind::remainder:
+      state.argument = x[0] / x[1];
+      state.low = piece;
+      state.high = piece + 1.0;
       return;
     case BreakKind::smooth_step:
       state.argument = find_rise(x);

@@ -26,6 +26,7 @@ enum class BreakKind {
   ceiling,
   nearest_up,  ///< rint: floor(x + 0.5)
   nearest,     ///< round: halves go away from zero
+  remainder,   ///< mod(a, b), jumps where a/b is whole
   smooth_step  ///< its third derivative jumps at both ends
 };
 

@@ -21,6 +21,9 @@ struct Dimension {
   friend constexpr bool operator==(Dimension, Dimension) = default;
 };
 
+/// Of one over a quantity.
+constexpr Dimension find_inverse(Dimension d) { return {-d.length, -d.mass, -d.time, -d.angle}; }
+
 namespace dimension {
 inline constexpr Dimension kNone{};
 inline constexpr Dimension kLength{1, 0, 0, 0};

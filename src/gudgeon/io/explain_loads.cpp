@@ -8,6 +8,8 @@
 #include <initializer_list>
 #include <vector>
 
+#include "gudgeon/model/channel_names.h"
+
 namespace gudgeon {
 
 namespace {
@@ -18,9 +20,21 @@ std::string numbers_text(const std::vector<double>& numbers) {
   return "[" + text + "]";
 }
 
-std::string curve_text(const SampledCurve& curve) {
-  return fmt::format("{{ over = {}, arguments = {}, values = {}, periodic = {} }}", toml_text(curve.over),
-                     numbers_text(curve.arguments), numbers_text(curve.values), curve.periodic ? "true" : "false");
+/// A cut-off or a tolerance in SI, told apart by its unit.
+std::string smoothing_text(const SampledCurve& curve, Dimension dimension) {
+  if (!curve.smoothing) return {};
+  const Dimension over = find_channel_dimension(curve.over).value_or(dimension::kTime);
+  const bool cut_off = curve.smoothing->frequency > 0.0;
+  const Dimension unit = cut_off ? find_inverse(over) : dimension;
+  return ", smoothing = " + toml_quantity(cut_off ? curve.smoothing->frequency : curve.smoothing->tolerance, unit);
+}
+
+std::string curve_text(const SampledCurve& curve, Interpolation fallback, Dimension dimension) {
+  const Interpolation kind = curve.smoothing ? Interpolation::spline : curve.interpolation.value_or(fallback);
+  return fmt::format("{{ over = {}, arguments = {}, values = {}, periodic = {}, interpolation = \"{}\"{} }}",
+                     toml_text(curve.over), numbers_text(curve.arguments), numbers_text(curve.values),
+                     curve.periodic ? "true" : "false", choice_name<Interpolation>(kInterpolations, kind),
+                     smoothing_text(curve, dimension));
 }
 
 /// In parentheses where it would be taken for a quantity, "2*m".
@@ -32,7 +46,7 @@ std::string expression_text(const Expression& expression) {
 std::string function_text(const Function& function, Dimension dimension) {
   if (const auto* constant = std::get_if<double>(&function)) return toml_quantity(*constant, dimension);
   if (const auto* expression = std::get_if<Expression>(&function)) return expression_text(*expression);
-  return curve_text(std::get<SampledCurve>(function));
+  return curve_text(std::get<SampledCurve>(function), kLoadInterpolation, dimension);
 }
 
 /// The constants of all formulas of a load or driver in one table, as they share them in a model file.
@@ -123,7 +137,8 @@ void write_driver(const Driver& driver, TomlLines& out) {
     const Function motion = *expression;
     write_constants({&motion}, out);
   } else if (const auto* curve = std::get_if<SampledCurve>(&driver.motion)) {
-    out.line("motion", curve_text(*curve));
+    out.line("motion",
+             curve_text(*curve, kMotionInterpolation, angle != nullptr ? dimension::kAngle : dimension::kLength));
   } else {
     out.line("start", toml_quantity(driver.start, angle != nullptr ? dimension::kAngle : dimension::kLength));
     out.line("speed", toml_quantity(driver.speed, angle != nullptr ? dimension::kAngularSpeed : dimension::kSpeed));

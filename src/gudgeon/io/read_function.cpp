@@ -79,6 +79,28 @@ std::vector<double> read_numbers(TableReader& table, std::string_view key, doubl
   return numbers;
 }
 
+/// The dimension tells a cut-off from a tolerance.
+std::optional<Smoothing> read_smoothing(TableReader& table, std::optional<Dimension> argument, Dimension value) {
+  const DocumentNode* node = table.find("smoothing");
+  if (node == nullptr) return std::nullopt;
+  const auto* text = std::get_if<std::string>(&node->value);
+  const auto parsed =
+      text == nullptr ? std::variant<Quantity, QuantityError>{QuantityError{"it needs a unit"}} : parse_quantity(*text);
+  if (const auto* error = std::get_if<QuantityError>(&parsed)) {
+    table.report("E-FILE-004", "smoothing", fmt::format("smoothing cannot be read: {}", error->message),
+                 {"smoothing = \"20 Hz\", a cut-off frequency, or the noise of the values, \"0.05 deg\""});
+    return std::nullopt;
+  }
+  const Quantity& quantity = std::get<Quantity>(parsed);
+  const Dimension per_argument = find_inverse(argument.value_or(dimension::kTime));
+  if (quantity.dimension == per_argument) return Smoothing{quantity.value, 0.0};
+  if (quantity.dimension == value) return Smoothing{0.0, quantity.value};
+  table.report("E-FILE-005", "smoothing",
+               fmt::format("smoothing is \"{}\", {}; a cut-off in {} or a tolerance, {}, is needed", *text,
+                           dimension_name(quantity.dimension), si_unit(per_argument), dimension_name(value)));
+  return std::nullopt;
+}
+
 SampledCurve read_curve(TableReader& table, Dimension dimension) {
   SampledCurve curve;
   curve.over = table.find_text("over").value_or("t");
@@ -86,6 +108,11 @@ SampledCurve read_curve(TableReader& table, Dimension dimension) {
   curve.arguments = read_numbers(table, "arguments", read_unit(table, "argument_unit", argument), argument);
   curve.values = read_numbers(table, "values", read_unit(table, "value_unit", dimension), dimension);
   curve.periodic = table.find_switch("periodic").value_or(false);
+  if (table.has("interpolation")) {
+    curve.interpolation = kLoadInterpolation;
+    table.update_choice<Interpolation>("interpolation", kInterpolations, *curve.interpolation);
+  }
+  curve.smoothing = read_smoothing(table, argument, dimension);
   table.check_unknown_keys();
   return curve;
 }

@@ -85,6 +85,17 @@ bool check_period(CheckRules& rules, const FunctionUse& use, const std::vector<d
   return false;
 }
 
+/// A motion's acceleration must not jump.
+bool check_interpolation(CheckRules& rules, const FunctionUse& use, const SampledCurve& curve) {
+  if (!use.of_time_only || curve.interpolation.value_or(kMotionInterpolation) == Interpolation::spline) return true;
+  const bool linear = *curve.interpolation == Interpolation::linear;
+  rules.diagnostics.error("E-MODEL-090", use.path() + ".interpolation",
+                          fmt::format("{}: with interpolation = \"{}\" the {} would jump at the points", use.subject,
+                                      linear ? "linear" : "monotone", linear ? "speed" : "acceleration"),
+                          {"a motion runs as a spline: leave the key out, and add points where it must be held"});
+  return false;
+}
+
 }  // namespace
 
 bool check_curve(CheckRules& rules, const FunctionUse& use, const SampledCurve& curve) {
@@ -94,7 +105,10 @@ bool check_curve(CheckRules& rules, const FunctionUse& use, const SampledCurve& 
   const bool order = check_order(rules, use, curve.arguments);
   const bool size = check_size(rules, use, curve);
   if (!over || !arguments || !values || !order || !size) return false;
-  return !curve.periodic || check_period(rules, use, curve.values);
+  if (curve.periodic && !check_period(rules, use, curve.values)) return false;
+  if (!check_interpolation(rules, use, curve) || !check_smoothing(rules, use, curve)) return false;
+  remark_curve(rules, use, curve);
+  return true;
 }
 
 }  // namespace gudgeon

@@ -5,10 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
-#include "gudgeon/base/cubic_spline.h"
+#include "gudgeon/base/curve.h"
 #include "gudgeon/base/expression.h"
 #include "gudgeon/model/check_rules.h"
 #include "gudgeon/model/cycle_time.h"
@@ -62,9 +63,10 @@ class DriverCheck {
 
   void check_motion() {
     const bool turns = std::holds_alternative<DrivenAngle>(driver_.target);
-    const FunctionUse use{subject_ + ": motion", path_, "motion", true};
+    const FunctionUse use{subject_ + ": motion", path_, "motion", turns ? dimension::kAngle : dimension::kLength, true};
     if (const auto* expression = std::get_if<Expression>(&driver_.motion)) {
-      if (check_expression(rules_, use, *expression)) check_values(*expression);
+      if (check_expression(rules_, use, *expression) && check_values(*expression))
+        check_jumps(*expression, use.dimension);
     } else if (const auto* curve = std::get_if<SampledCurve>(&driver_.motion)) {
       if (check_curve(rules_, use, *curve)) check_cover(*curve);
     } else {
@@ -135,7 +137,8 @@ class DriverCheck {
     return std::isfinite(duration) && study.cycles > 0 && study.warm_up_cycles >= 0 ? std::max(duration, 0.0) : 0.0;
   }
 
-  void check_values(const Expression& expression) {
+  /// True when it has a value throughout.
+  bool check_values(const Expression& expression) {
     ExpressionEvaluator motion(expression.text, expression.constants, {"t"});
     const double duration = find_duration();
     for (int k = 0; k <= kTrials; ++k) {
@@ -146,12 +149,26 @@ class DriverCheck {
       rules_.diagnostics.error(
           "E-MODEL-088", path_ + ".motion",
           fmt::format("{}: motion \"{}\" has no value at t = {:.6g} s", subject_, expression.text, time));
-      return;
+      return false;
     }
+    return true;
+  }
+
+  /// Accelerations must go on without a jump, over the whole study.
+  void check_jumps(const Expression& expression, Dimension dimension) {
+    static constexpr std::array kWhat{"it", "its speed", "its acceleration"};
+    const auto jump = find_motion_jump(expression, find_cycle_time(rules_.mechanism, rules_.study), find_duration());
+    if (!jump) return;
+    dimension.time = -jump->order;
+    rules_.diagnostics.error(
+        "E-MODEL-062", path_ + ".motion",
+        fmt::format("{}: its motion '{}' is not smooth: {} jumps by {} at t = {:.6g} s", subject_, expression.text,
+                    kWhat[jump->order], with_unit(jump->size, dimension), jump->time),
+        {"accelerations must be continuous: smooth_step(t, a, b) goes from 0 to 1 so, or give the motion as a table"});
   }
 
   void check_cover(const SampledCurve& curve) {
-    start_ = CubicSpline(curve.arguments, curve.values, curve.periodic).eval(0.0).value;
+    start_ = make_motion_curve(curve).eval(0.0).value;
     const double duration = find_duration();
     const double margin = kSameDuration * duration;
     if (curve.periodic || (curve.arguments.front() <= margin && curve.arguments.back() >= duration - margin)) return;

@@ -9,50 +9,17 @@
 #include <cctype>
 
 #include "gudgeon/base/expression.h"
+#include "gudgeon/base/formula_readings.h"
+#include "gudgeon/base/formula_tokens.h"
 #include "gudgeon/model/channel_names.h"
 #include "gudgeon/model/check_rules.h"
+#include "gudgeon/model/formula_hints.h"
 
 namespace gudgeon {
 
 namespace {
 
-/// A name in a formula's text, and where it begins.
-struct NameInText {
-  std::string name;
-  int position = 0;
-};
-
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || (static_cast<unsigned char>(c) & 0x80U) != 0;
-}
-
-/// Behind the number that begins there: digits with a point, and an exponent.
-std::size_t skip_number(std::string_view text, std::size_t at) {
-  while (at < text.size() && (is_digit(text[at]) || text[at] == '.')) ++at;
-  if (at >= text.size() || (text[at] != 'e' && text[at] != 'E')) return at;
-  std::size_t exponent = at + 1;
-  if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) ++exponent;
-  if (exponent >= text.size() || !is_digit(text[exponent])) return at;
-  while (exponent < text.size() && is_digit(text[exponent])) ++exponent;
-  return exponent;
-}
-
-std::vector<NameInText> find_names(std::string_view text) {
-  std::vector<NameInText> names;
-  for (std::size_t at = 0; at < text.size();) {
-    if (is_digit(text[at]) || text[at] == '.') {
-      at = std::max(skip_number(text, at), at + 1);
-    } else if (is_letter(text[at])) {
-      const std::size_t begin = at;
-      while (at < text.size() && (is_letter(text[at]) || is_digit(text[at]) || text[at] == '.')) ++at;
-      names.push_back({std::string{text.substr(begin, at - begin)}, static_cast<int>(begin)});
-    } else {
-      ++at;
-    }
-  }
-  return names;
-}
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
@@ -86,10 +53,15 @@ class ExpressionCheck {
   /// True when the formula can be run.
   bool check() {
     check_constants();
-    const std::vector<NameInText> names = find_names(expression_.text);
+    const std::vector<FormulaToken> tokens = split_formula(expression_.text);
     bool good = true;
-    for (const NameInText& name : names) good = check_name(name) && good;
-    return good && check_grammar();
+    for (std::size_t k = 0; k < tokens.size(); ++k) {
+      if (tokens[k].kind != FormulaToken::Kind::name) continue;
+      good = check_name(tokens[k], k + 1 < tokens.size() && tokens[k + 1].text == "(") && good;
+    }
+    if (!good || !check_grammar()) return false;
+    remark_readings();
+    return true;
   }
 
  private:
@@ -100,8 +72,9 @@ class ExpressionCheck {
       const auto fail = [&](const std::string& what) {
         rules_.diagnostics.error("E-MODEL-080", path, fmt::format("{}: constant '{}' {}", use_.subject, name, what));
       };
-      const bool plain = !name.empty() && !is_digit(name.front()) &&
-                         std::ranges::all_of(name, [](char c) { return is_digit(c) || (is_letter(c) && c > 0); });
+      const bool plain = !name.empty() && !is_digit(name.front()) && std::ranges::all_of(name, [](char c) {
+        return is_digit(c) || (is_formula_letter(c) && c > 0);
+      });
       if (!plain) fail("needs a name of the letters A-Z and a-z, digits and '_' that does not begin with a digit");
       if (name == "t") fail("has the name of the time");
       if (name == "pi") fail("has the name of π");
@@ -114,8 +87,8 @@ class ExpressionCheck {
     }
   }
 
-  bool check_name(const NameInText& found) {
-    const std::string& name = found.name;
+  bool check_name(const FormulaToken& found, bool called) {
+    const std::string name{found.text};
     if (name == "t" || name == "pi" || contains(constants_, name) || contains(list_formula_functions(), name)) {
       return true;
     }
@@ -128,6 +101,9 @@ class ExpressionCheck {
       fail(
           "E-MODEL-083", found, fmt::format("uses '{}', which is a result", name),
           {"forces, accelerations and contacts depend on the loads, so loads may depend on positions and speeds only"});
+    } else if (called) {
+      fail("E-MODEL-082", found, fmt::format("calls '{}', and there is no function of that name", name),
+           list_functions(name));
     } else {
       fail("E-MODEL-082", found, fmt::format("uses '{}', and there is nothing of that name", name),
            list_possible(name));
@@ -150,30 +126,59 @@ class ExpressionCheck {
       const ExpressionEvaluator formula(expression_.text, expression_.constants, variables);
       return true;
     } catch (const ExpressionError& error) {
-      fail("E-MODEL-081", {"", static_cast<int>(error.position())}, fmt::format("is no formula: {}", error.what()),
-           list_hints());
+      fail("E-MODEL-081", {FormulaToken::Kind::symbol, "", static_cast<int>(error.position())},
+           fmt::format("is no formula: {}", error.what()), list_hints());
       return false;
     }
   }
 
-  void fail(const char* code, const NameInText& where, const std::string& what, std::vector<std::string> notes) {
+  void fail(const char* code, const FormulaToken& where, const std::string& what, std::vector<std::string> notes) {
     rules_.diagnostics.add({Severity::error, code, path_,
                             fmt::format("{}: \"{}\" {}", use_.subject, expression_.text, what), std::move(notes),
-                            where.position, static_cast<int>(std::max<std::size_t>(where.name.size(), 1))});
+                            where.position, static_cast<int>(std::max<std::size_t>(where.text.size(), 1))});
   }
 
-  /// A formula that begins like a quantity may be one with a slip of the pen.
+  /// Says how chains are read that MATLAB, or people, read otherwise.
+  void remark_readings() {
+    for (const FormulaReading& reading : find_readings(expression_.text)) {
+      const bool powers = reading.kind == FormulaReading::Kind::chained_powers;
+      const std::string what =
+          powers ? "is read from the right, a^b^c = a^(b^c), as in Python; MATLAB and Octave read (a^b)^c"
+                 : "is read from the left: the truth of the first comparison, 1 or 0, is compared further";
+      rules_.diagnostics.add({Severity::remark,
+                              "R-MODEL-118",
+                              path_,
+                              fmt::format("{}: \"{}\" {}", use_.subject, reading.text, what),
+                              {powers ? "parentheses say which is meant" : "a range is written a < b && b < c"},
+                              reading.position,
+                              static_cast<int>(reading.text.size())});
+    }
+  }
+
+  /// What was probably meant: another language's symbols; or a quantity, with a slip of the pen, where it begins so.
   [[nodiscard]] std::vector<std::string> list_hints() const {
+    std::vector<std::string> notes = list_symbol_hints(expression_.text);
     const std::string& text = expression_.text;
     const auto quantity = parse_quantity(text);
     const bool like_one = !text.empty() && (is_digit(text.front()) || text.front() == '.' || text.front() == '-');
     const bool is_formula = text.find_first_of("(?") != std::string::npos;
-    if (!like_one || is_formula || !std::holds_alternative<QuantityError>(quantity)) return {};
-    return {"if a quantity was meant: " + std::get<QuantityError>(quantity).message};
+    if (!like_one || is_formula || !std::holds_alternative<QuantityError>(quantity)) return notes;
+    notes.push_back("if a quantity was meant: " + std::get<QuantityError>(quantity).message);
+    return notes;
+  }
+
+  [[nodiscard]] std::vector<std::string> list_functions(const std::string& name) const {
+    std::vector<std::string> notes = list_hints();
+    if (std::string hint = find_word_hint(name); !hint.empty()) notes.push_back(std::move(hint));
+    const std::string suggestion = suggest(name, list_formula_functions());
+    notes.push_back(fmt::format("functions are: {}{}{}", join_names(list_formula_functions()),
+                                suggestion.empty() ? "" : "   ", suggestion));
+    return notes;
   }
 
   [[nodiscard]] std::vector<std::string> list_possible(const std::string& name) const {
     std::vector<std::string> notes = list_hints();
+    if (std::string hint = find_word_hint(name); !hint.empty()) notes.push_back(std::move(hint));
     std::vector<std::string> near{"t", "pi"};
     near.insert(near.end(), constants_.begin(), constants_.end());
     if (!use_.of_time_only) near.insert(near.end(), channels_.begin() + 1, channels_.end());

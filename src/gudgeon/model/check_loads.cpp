@@ -30,8 +30,8 @@ class LoadCheck {
   void operator()(const VariableForce& load) {
     check_anchor(rules_, subject_, path_ + ".point", load.point);
     check_body(".axes", load.axes);
-    check_function(rules_, {subject_ + ": x of force", path_, "force.0"}, load.x);
-    check_function(rules_, {subject_ + ": y of force", path_, "force.1"}, load.y);
+    check_function(rules_, {subject_ + ": x of force", path_, "force.0", dimension::kForce}, load.x);
+    check_function(rules_, {subject_ + ": y of force", path_, "force.1", dimension::kForce}, load.y);
     if (load.point.body == kFrameName) remark_frame(".point");
   }
 
@@ -39,7 +39,7 @@ class LoadCheck {
     const bool body = check_body(".body", load.body);
     const bool against = check_body(".against", load.against);
     if (body && against) check_different(".against", load.body, load.against);
-    check_function(rules_, {subject_ + ": torque", path_, "torque"}, load.torque);
+    check_function(rules_, {subject_ + ": torque", path_, "torque", dimension::kTorque}, load.torque);
   }
 
   void operator()(const Spring& load) {

@@ -13,16 +13,16 @@ namespace gudgeon {
 
 namespace {
 
-std::string with_unit(double value, Dimension dimension) {
-  return dimension == dimension::kNone ? fmt::format("{:.6g}", value)
-                                       : fmt::format("{:.6g} {}", value, si_unit(dimension));
-}
-
 bool is_name_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
 }
 
 }  // namespace
+
+std::string with_unit(double value, Dimension dimension) {
+  return dimension == dimension::kNone ? fmt::format("{:.6g}", value)
+                                       : fmt::format("{:.6g} {}", value, si_unit(dimension));
+}
 
 std::string describe_range(const ParameterRange& range, Dimension dimension) {
   const bool below = range.maximum < kUnbounded;

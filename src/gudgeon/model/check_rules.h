@@ -4,6 +4,7 @@
 // What the parts of check() share: the model under check, and the wording of a broken rule. Used by check*.cpp only.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,9 @@ class CheckRules {
   bool read_with_errors_;  // what is no number could not be read, and has been reported
 };
 
+/// "0.25 mm" in SI, "0.00025 m"; the number alone without a dimension.
+std::string with_unit(double value, Dimension dimension);
+
 /// "positive", "not negative", "above 0 and at most 1" …
 std::string describe_range(const ParameterRange& range, Dimension dimension);
 
@@ -74,6 +78,7 @@ struct FunctionUse {
   std::string subject;        ///< "load 'push': x of force"
   std::string owner;          ///< "loads.push", the path of the table that may have constants for it
   std::string key;            ///< "force.0"
+  Dimension dimension;        ///< of its value
   bool of_time_only = false;  ///< true for motions
   [[nodiscard]] std::string path() const { return owner + "." + key; }
 };
@@ -83,6 +88,20 @@ void check_function(CheckRules& rules, const FunctionUse& use, const Function& f
 /// The same; true when it can.
 bool check_expression(CheckRules& rules, const FunctionUse& use, const Expression& expression);
 bool check_curve(CheckRules& rules, const FunctionUse& use, const SampledCurve& curve);
+/// Demands a smoothing that leaves a curve; warns of noise in a motion without one.
+bool check_smoothing(CheckRules& rules, const FunctionUse& use, const SampledCurve& curve);
+/// Says what a sound curve does between its points.
+void remark_curve(CheckRules& rules, const FunctionUse& use, const SampledCurve& curve);
+
+/// Where a motion is not smooth enough to be followed.
+struct MotionJump {
+  double time = 0.0;  ///< [s]
+  int order = 0;      ///< what jumps: 0 the value, 1 the speed, 2 the acceleration
+  double size = 0.0;  ///< [rad or m, over s to the order]
+};
+
+/// A jump of a sound formula of the time, between t = 0 and the end of the study; both durations in s.
+std::optional<MotionJump> find_motion_jump(const Expression& motion, double cycle_time, double duration);
 
 /// Demands that body and point exist.
 void check_anchor(CheckRules& rules, const std::string& subject, const std::string& path, const Anchor& anchor);

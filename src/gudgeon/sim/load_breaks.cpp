@@ -58,7 +58,7 @@ void LoadBreaks::watch_loads(const System& system) {
   if (!watched_.empty()) watched_.push_back({Kind::share, 0, -kInfinity, kInfinity});
   const auto watch = [&](const LoadFunction& function) {
     if (function.curve < 0) return;
-    const CubicSpline& curve = loads.curves[static_cast<std::size_t>(function.curve)];
+    const Curve& curve = loads.curves[static_cast<std::size_t>(function.curve)];
     if (loads.channels[static_cast<std::size_t>(function.channel)].quantity == StateChannel::Quantity::time) {
       clocks_.push_back(curve);
       return;
@@ -73,7 +73,7 @@ void LoadBreaks::watch_loads(const System& system) {
 void LoadBreaks::watch_motions(const System& system) {
   for (const DrivenMotion& driven : system.tables.driven) {
     if (const auto* curve = std::get_if<SampledCurve>(&driven.motion)) {
-      clocks_.emplace_back(curve->arguments, curve->values, curve->periodic);
+      clocks_.push_back(make_motion_curve(*curve));
     } else if (const auto* expression = std::get_if<Expression>(&driven.motion)) {
       ExpressionEvaluator evaluator(expression->text, expression->constants, {"t"});
       const std::size_t first = motion_states_.size();
@@ -89,7 +89,7 @@ void LoadBreaks::watch_motions(const System& system) {
 
 double LoadBreaks::find_next_point(double time) const noexcept {
   double next = kInfinity;
-  for (const CubicSpline& curve : clocks_) next = std::min(next, curve.find_piece(time + find_window(time)).second);
+  for (const Curve& curve : clocks_) next = std::min(next, curve.find_piece(time + find_window(time)).second);
   return next;
 }
 

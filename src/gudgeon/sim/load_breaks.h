@@ -70,7 +70,7 @@ class LoadBreaks {
     double high;
   };
   struct WatchedCurve {
-    const CubicSpline* curve;
+    const Curve* curve;
     int channel;
   };
   // A formula of a driver's motion: smooth to its second derivative, so it is watched and not held.
@@ -111,7 +111,7 @@ class LoadBreaks {
   std::vector<WatchedMotion> motions_;
   std::vector<BreakState> motion_states_;
   std::vector<int> motion_pieces_;
-  std::vector<CubicSpline> clocks_;  // curves over the time
+  std::vector<Curve> clocks_;  // curves over the time
   Workspace scratch_;
   bool is_searched_ = false;  // some argument can leave its piece
   std::vector<double> arguments_;

@@ -92,7 +92,7 @@ class LoadCompiler {
     } else {
       const auto& curve = std::get<SampledCurve>(function);
       compiled.curve = static_cast<int>(tables_.loads.curves.size());
-      tables_.loads.curves.emplace_back(curve.arguments, curve.values, curve.periodic);
+      tables_.loads.curves.push_back(make_load_curve(curve));
       compiled.channel =
           find_channel(static_cast<int>(std::ranges::find(known_names_, curve.over) - known_names_.begin()));
     }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gudgeon/base/cubic_spline.h"
+#include "gudgeon/base/curve.h"
 #include "gudgeon/base/expression.h"
 #include "gudgeon/base/formula_breaks.h"
 #include "gudgeon/base/vec2.h"
@@ -110,7 +110,7 @@ struct LoadTables {
   std::vector<ChannelSource> channels;     ///< only those that a load depends on
   std::vector<std::string> channel_names;  ///< in the same order: the variables of the expressions
   std::vector<Expression> expressions;
-  std::vector<CubicSpline> curves;
+  std::vector<Curve> curves;
   std::vector<LoadEffect> effects;  ///< one a load of the mechanism: the constant ones; zero where it varies
 
   /// Whether any load depends on the state or the time.

@@ -140,14 +140,14 @@ MotionFunction::MotionFunction(const DrivenMotion& motion)
   if (const auto* expression = std::get_if<Expression>(&motion.motion)) {
     function_.emplace<ExpressionEvaluator>(make_evaluator(*expression));
   } else if (const auto* curve = std::get_if<SampledCurve>(&motion.motion)) {
-    function_.emplace<CubicSpline>(curve->arguments, curve->values, curve->periodic);
+    function_.emplace<Curve>(make_motion_curve(*curve));
   }
 }
 
 DrivenValue MotionFunction::eval(double t) noexcept {
   DrivenValue at{start_ + speed_ * t, speed_, 0.0};
-  if (const auto* curve = std::get_if<CubicSpline>(&function_)) {
-    const CubicSpline::Value found = curve->eval(t);
+  if (const auto* curve = std::get_if<Curve>(&function_)) {
+    const Curve::Value found = curve->eval(t);
     return {at.value + found.value, at.rate + found.slope, found.curvature};
   }
   auto* evaluator = std::get_if<ExpressionEvaluator>(&function_);

@@ -6,7 +6,7 @@
 
 #include <variant>
 
-#include "gudgeon/base/cubic_spline.h"
+#include "gudgeon/base/curve.h"
 #include "gudgeon/base/expression.h"
 #include "gudgeon/system/topology.h"
 
@@ -32,7 +32,7 @@ class MotionFunction {
   double start_;
   double speed_;
   double difference_step_;
-  std::variant<std::monostate, ExpressionEvaluator, CubicSpline> function_;
+  std::variant<std::monostate, ExpressionEvaluator, Curve> function_;
 };
 
 /// Chooses the difference steps of all motions that are expressions. Throws ModelError, with one entry a driver, where
