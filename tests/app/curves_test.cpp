@@ -20,8 +20,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::string find_case(const std::string& name) { return std::string{GUDGEON_SOURCE_DIR} + "/tests/cases/" + name; }
-
 /// One column of a CSV file with a line of names.
 std::vector<double> read_column(const std::filesystem::path& file, const std::string& name) {
   std::istringstream lines(read_text(file));
@@ -44,16 +42,37 @@ std::vector<double> read_column(const std::filesystem::path& file, const std::st
 
 TEST(Curves, KeepTheShapeOfALoadsPoints) {
   const TemporaryFolder folder;
-  const Outcome run = run_program(folder, {"run", find_case("curve_overshoot.toml"), "-o", "out"});
+  const Outcome run = run_program(folder, {"run", find_case("curve_overshoot"), "-o", "out"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out + run.err, HasSubstr("R-MODEL-115"));
-  const Outcome written = run_program(folder, {"export", "out", "-o", "csv"});
+  EXPECT_THAT(run.out + run.err, HasSubstr("W-MODEL-115"));
+  EXPECT_THAT(run.out, HasSubstr("work of forces and torques    118.0 J"));  // counted as given away
+  const Outcome written = run_program(folder, {"export", "out/base.h5", "-o", "csv"});
   ASSERT_EQ(written.exit_code, 0) << written.err << written.out;
+  const std::vector<double> force = read_column(folder.path() / "csv/ideal_channels.csv", "punch.x_force");
+  ASSERT_FALSE(force.empty());
+  EXPECT_NEAR(std::ranges::min(force), -40e3, 1e-9);
+  EXPECT_NEAR(std::ranges::max(force), 0.0, 1e-9);
+}
+
+TEST(Curves, AreDrawnByCheckAndInTheReport) {
+  const TemporaryFolder folder;
+  const Outcome check = run_program(folder, {"check", find_case("curve_overshoot"), "--plots", "curves"});
+  ASSERT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("loads.punch.force.0.over.G.displacement.svg"));
+  EXPECT_THAT(read_text(folder.path() / "curves/loads.punch.force.0.over.G.displacement.svg"),
+              HasSubstr("force in x over G.displacement"));
+  // A second time only where it is asked for.
+  EXPECT_EQ(run_program(folder, {"check", find_case("curve_overshoot"), "--plots", "curves"}).exit_code, 5);
+  ASSERT_EQ(run_program(folder, {"run", find_case("curve_overshoot"), "-o", "out"}).exit_code, 0);
+  ASSERT_EQ(run_program(folder, {"report", "out"}).exit_code, 0);
+  EXPECT_THAT(read_text(folder.path() / "out/report.html"), HasSubstr("Loads and motions as they were given"));
+  EXPECT_THAT(run_program(folder, {"plot", "out", "--list"}).out,
+              HasSubstr("base.loads.punch.force.0.over.G.displacement"));
 }
 
 TEST(Curves, TellWhereASplineOvershoots) {
   const TemporaryFolder folder;
-  std::string text = read_text(find_case("curve_overshoot.toml"));
+  std::string text = read_text(find_case("curve_overshoot"));
   const std::string key = "value_unit = \"kN\"";
   text.insert(text.find(key) + key.size(), ", interpolation = \"spline\"");
   const std::string file = folder.write("punch.toml", text).filename();
@@ -66,7 +85,7 @@ TEST(Curves, TellWhereASplineOvershoots) {
 TEST(Curves, RefuseAMotionThatJumpsLate) {
   const TemporaryFolder folder;
   for (const char* command : {"check", "run"}) {
-    const Outcome outcome = run_program(folder, {command, find_case("late_jump.toml")});
+    const Outcome outcome = run_program(folder, {command, find_case("late_jump")});
     EXPECT_EQ(outcome.exit_code, 3);
     EXPECT_THAT(outcome.out + outcome.err, HasSubstr("E-MODEL-062"));
     EXPECT_THAT(outcome.out + outcome.err, HasSubstr("it jumps by 0.3 rad at t = 2.5 s"));
@@ -108,12 +127,12 @@ TEST(Curves, TellTheNoiseOfAMeasuredMotion) {
   const std::string file = folder.write("measured.toml", make_measured("")).filename();
   const Outcome outcome = run_program(folder, {"check", file});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("R-MODEL-117"));
+  EXPECT_THAT(outcome.out, HasSubstr("W-MODEL-117"));
   EXPECT_THAT(outcome.out, HasSubstr("rad/s^2 that are left without it"));
   const std::string smooth = folder.write("smooth.toml", make_measured(", smoothing = \"2 Hz\"")).filename();
   const Outcome smoothed = run_program(folder, {"check", smooth});
   EXPECT_EQ(smoothed.exit_code, 0) << smoothed.err;
-  EXPECT_THAT(smoothed.out, Not(HasSubstr("R-MODEL-117")));
+  EXPECT_THAT(smoothed.out, Not(HasSubstr("W-MODEL-117")));
 }
 
 }  // namespace

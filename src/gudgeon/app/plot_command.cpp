@@ -7,18 +7,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <memory>
 
 #include "gudgeon/app/case_groups.h"
 #include "gudgeon/app/command_line.h"
 #include "gudgeon/app/picture_converter.h"
+#include "gudgeon/app/picture_files.h"
 #include "gudgeon/app/report_runs.h"
 #include "gudgeon/app/text_output.h"
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/safe_file.h"
 #include "gudgeon/report/figures/case_figures.h"
+#include "gudgeon/report/figures/function_figures.h"
 #include "gudgeon/report/plot/plot_figure.h"
 
 namespace gudgeon {
@@ -44,10 +45,14 @@ std::vector<NamedFigure> make_all_figures(const ReadRuns& read) {
   for (const ReadRun& one : read.runs) {
     const RunRecord run = read_figure_channels(one);
     Signals signals(run);
-    for (Figure& figure : make_case_figures(signals)) {
-      const std::string name = one.outline.case_name + "." + figure.id;
-      figures.push_back({name, std::move(figure)});
-    }
+    const auto add = [&](std::vector<Figure> made) {
+      for (Figure& figure : made) {
+        std::string name = one.outline.case_name + "." + figure.id;
+        figures.push_back({std::move(name), std::move(figure)});
+      }
+    };
+    add(make_case_figures(signals));
+    add(make_function_figures(read_functions(one)));
   }
   for (Figure& figure : make_comparison_figures(group_cases(read.runs))) {
     const std::string name = figure.id;
@@ -75,23 +80,13 @@ std::vector<NamedFigure> select_figures(std::vector<NamedFigure> figures, const 
   return figures;
 }
 
-std::filesystem::path make_picture_path(const PlotOptions& options, std::string name, std::string_view format) {
-  std::ranges::replace_if(
-      name,
-      [](unsigned char c) {
-        return std::isalnum(c) == 0 && std::string_view("._-+").find(static_cast<char>(c)) == std::string_view::npos;
-      },
-      '_');
-  return options.directory / fmt::format("{}.{}", name, format);
-}
-
 void write_figure(const PlotOptions& options, const NamedFigure& one) {
-  const std::filesystem::path svg = make_picture_path(options, one.name, "svg");
+  const std::filesystem::path svg = make_picture_path(options.directory, one.name, "svg");
   write_whole(svg, plot_figure(one.figure, {.cycles = options.cycles}));
   write_stdout(fmt::format("{}\n", svg.string()));
   for (const std::string& format : options.formats) {
     if (format == "svg") continue;
-    const std::filesystem::path output = make_picture_path(options, one.name, format);
+    const std::filesystem::path output = make_picture_path(options.directory, one.name, format);
     convert_picture(svg, output, format);
     write_stdout(fmt::format("{}\n", output.string()));
   }
@@ -106,15 +101,11 @@ ExitCode run_plot(const PlotOptions& options) {
     for (const NamedFigure& one : figures) write_stdout(fmt::format("{}\n", one.name));
     return read.troubles.empty() ? ExitCode::done : ExitCode::file;
   }
-  std::error_code failure;
-  std::filesystem::create_directories(options.directory, failure);
-  if (failure) {
-    throw FileError(fmt::format("directory '{}' cannot be made: {}", options.directory.string(), failure.message()));
-  }
+  make_picture_directory(options.directory);
   for (const NamedFigure& one : figures) {
-    check_target(make_picture_path(options, one.name, "svg"), options.overwrite);
+    check_target(make_picture_path(options.directory, one.name, "svg"), options.overwrite);
     for (const std::string& format : options.formats) {
-      check_target(make_picture_path(options, one.name, format), options.overwrite);
+      check_target(make_picture_path(options.directory, one.name, format), options.overwrite);
     }
   }
   for (const NamedFigure& one : figures) write_figure(options, one);

@@ -14,6 +14,7 @@
 #include "gudgeon/io/run_reader.h"
 #include "gudgeon/report/figures/case_figures.h"
 #include "gudgeon/report/html/figure_data.h"
+#include "gudgeon/sim/function_samples.h"
 
 namespace gudgeon {
 namespace {
@@ -87,6 +88,16 @@ ReadRuns read_runs(const std::filesystem::path& path) {
   return read;
 }
 
+std::vector<FunctionSamples> read_functions(const ReadRun& one) {
+  if (!one.model) return {};
+  const ModelFile& model = *one.model;
+  try {
+    return sample_functions(model.mechanism, model.study, assemble(model.mechanism));
+  } catch (const ModelError&) {
+    return {};  // another version of the program ran it
+  }
+}
+
 RunRecord read_figure_channels(const ReadRun& one) {
   RunRecord run = one.outline;
   read_into(one.file, run, {});
@@ -102,6 +113,7 @@ ReportCase read_report_case(const ReadRun& one, bool with_samples) {
     report.description = model.mechanism.description;
     report.study = describe_study(model.mechanism, model.study);
     report.scene = make_scene(model.mechanism);
+    report.functions = read_functions(one);
     for (const PublishedValue& value : model.study.published) {
       report.published.push_back({value.quantity, value.channel, value.measure, value.values, {}});
     }

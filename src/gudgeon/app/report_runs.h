@@ -32,6 +32,9 @@ ReadRuns read_runs(const std::filesystem::path& path);
 /// All that a case's page needs, with the samples its figures show unless they are not wanted.
 ReportCase read_report_case(const ReadRun& one, bool with_samples);
 
+/// The formulas and curves of a run's model; none when the model cannot be used.
+std::vector<FunctionSamples> read_functions(const ReadRun& one);
+
 /// The run with the samples that its figures show.
 RunRecord read_figure_channels(const ReadRun& one);
 

@@ -76,4 +76,9 @@ std::string print_axis(const FigureAxis& axis) {
   return axis.label + " (" + print_unit(axis.display_unit) + ")";
 }
 
+std::string capitalize(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 }  // namespace gudgeon

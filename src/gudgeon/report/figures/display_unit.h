@@ -22,6 +22,9 @@ FigureAxis make_y_axis(std::string label, const std::string& unit, std::span<con
 /// "m/s^2" as it is printed: "m/s²".
 std::string print_unit(std::string unit);
 
+/// "torque" as a label begins: "Torque".
+std::string capitalize(std::string text);
+
 /// "Wear depth (µm)".
 std::string print_axis(const FigureAxis& axis);
 

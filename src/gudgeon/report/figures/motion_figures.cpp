@@ -72,11 +72,6 @@ MotionChannel split_motion_channel(const std::string& channel) {
   return {channel.substr(0, dot), quantity, " in " + part.substr(0, line)};
 }
 
-std::string capitalize(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
 }  // namespace
 
 std::vector<Figure> make_motion_figures(Signals& signals) {

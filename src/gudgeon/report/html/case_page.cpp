@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "gudgeon/report/figures/case_figures.h"
+#include "gudgeon/report/figures/function_figures.h"
 #include "gudgeon/report/html/case_sections.h"
 #include "gudgeon/report/html/figure_data.h"
 #include "gudgeon/report/html/html_text.h"
@@ -78,6 +80,7 @@ std::string render_article(const ReportCase& one, const std::vector<Figure>& fig
                        render_peak_table(run) + place("drive") + place("contact"));
   html += make_section(name, "journals", {"Journals in their bearings", "Journals"},
                        render_contact_table(run) + place("journal"));
+  html += make_section(name, "given", {"Loads and motions as they were given", "Given"}, place("given"));
   html += make_section(name, "energy", {"Energy", "Energy"}, render_energy_table(run));
   html += make_section(name, "solver", {"Solver", "Solver"}, render_solver_table(run));
   html += make_section(name, "stated", {"Values and where they come from", "Values"}, render_stated_values(one));
@@ -122,6 +125,7 @@ std::string make_figure_place(std::string_view case_name, std::string_view topic
 std::optional<CasePage> fit_case(const ReportCase& one, std::size_t bytes, int first_block) {
   Signals signals(one.run);
   std::vector<Figure> figures = make_case_figures(signals);
+  std::ranges::move(make_function_figures(one.functions), std::back_inserter(figures));
   // Texts and what is no signal come first: signals get what those leave.
   const std::size_t fixed = render_article(one, figures, {}).size() + find_fixed_size(figures);
   std::size_t room = bytes > fixed ? bytes - fixed : 0;

@@ -11,6 +11,7 @@
 
 #include "gudgeon/analysis/published.h"
 #include "gudgeon/report/html/scene.h"
+#include "gudgeon/results/function_samples.h"
 #include "gudgeon/results/run_record.h"
 
 namespace gudgeon {
@@ -39,6 +40,7 @@ struct ReportCase {
   std::vector<NamedText> study;          ///< what was done, "Cycles a stage" and "100"
   std::vector<NamedText> case_settings;  ///< values that the case replaces
   std::optional<Scene> scene;
+  std::vector<FunctionSamples> functions;  ///< formulas and curves that loads and drivers were given
   std::vector<PublishedRow> published;
   std::vector<StatedValue> stated;
   std::vector<StatusMeaning> statuses;
