@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace gudgeon {
@@ -23,12 +24,19 @@ class ArcAccumulator {
         region_amounts_(n_regions, 0.0),
         regions_per_radian_(static_cast<double>(n_regions) / (2.0 * std::numbers::pi)) {}
 
-  /// What the two ends of a moving arc pass at an even speed, in regions from the seam on.
+  /// What one end of a moving arc passes at an even speed, in regions from the seam on.
+  struct Ramp {
+    double from = 0.0;
+    double to = 0.0;
+  };
   struct Sweep {
-    double rear_from = 0.0;
-    double rear_to = 0.0;
-    double front_from = 0.0;
-    double front_to = 0.0;
+    Ramp rear;
+    Ramp front;
+  };
+  /// What one circumference of several gets.
+  struct Layer {
+    ArcAccumulator* surface;
+    double amount;
   };
 
   /// From an arc of that width [rad] centred at `angle` [rad] to another centred `turn` [rad] farther, either way
@@ -48,19 +56,22 @@ class ArcAccumulator {
     const double rear_half = std::max(0.5 * std::abs(move + half - end_half), least);
     const double front_half = std::max(0.5 * std::abs(move + end_half - half), least);
     const double shift = n * std::floor((rear - rear_half) / n);
-    return {rear - rear_half - shift, rear + rear_half - shift, front - front_half - shift, front + front_half - shift};
+    return {{rear - rear_half - shift, rear + rear_half - shift},
+            {front - front_half - shift, front + front_half - shift}};
   }
 
-  /// Adds to every point `amount` times the share of the movement during which the arc covers it.
-  void add_sweep(const Sweep& sweep, double amount) noexcept {
-    const double rear = add_ramp(sweep.rear_from, sweep.rear_to, amount);
-    const double front = add_ramp(sweep.front_from, sweep.front_to, -amount);
-    base_ += amount * (rear - front);
+  /// Adds to every point the layer's amount times the share of the movement during which the arc covers it, on
+  /// circumferences of as many regions.
+  static void add_sweep(const Sweep& sweep, std::span<const Layer> layers) noexcept {
+    const double rear = add_ramp(sweep.rear, 1.0, layers);
+    const double front = add_ramp(sweep.front, -1.0, layers);
+    for (const Layer& layer : layers) layer.surface->base_ += layer.amount * (rear - front);
   }
 
   /// Adds `amount` to every point of the arc of that width [rad] <= 2π centred at `angle` [rad].
   void add_arc(double angle, double width, double amount) noexcept {
-    add_sweep(find_sweep(angle, width, 0.0, width), amount);
+    const Layer layer{this, amount};
+    add_sweep(find_sweep(angle, width, 0.0, width), {&layer, 1});
   }
 
   /// Adds a parabola that vanishes at both ends of the arc, 3/2 mean_amount (1 − (2x/width)²) at x [rad] from its
@@ -107,25 +118,28 @@ class ArcAccumulator {
  private:
   static constexpr double kLeastPath = 1e-3;  // widths
 
-  // Raises all that lies behind a ramp between two places [regions] of the unrolled circumference by `amount`. Returns
-  // the share of it that is reached at the seam.
-  double add_ramp(double from, double to, double amount) noexcept {
-    const std::size_t n = region_amounts_.size();
-    std::size_t region = static_cast<std::size_t>(from);
-    double seam = region < n ? 1.0 : 0.0;
-    std::size_t at = region < n ? region : region - n;
+  // Raises all that lies behind a ramp by `sign` times each layer's amount. Returns the share of it that is reached at
+  // the seam.
+  static double add_ramp(const Ramp& ramp, double sign, std::span<const Layer> layers) noexcept {
+    const std::size_t n = layers.front().surface->region_amounts_.size();
+    const double middle = 0.5 * (ramp.from + ramp.to);
+    const double half_slope = 0.5 / (ramp.to - ramp.from);
+    std::size_t at = static_cast<std::size_t>(ramp.from);
+    double end = static_cast<double>(at) + 1.0;  // of the region
+    double seam = at < n ? 1.0 : 0.0;
+    if (at >= n) at -= n;
     double held = 0.0;    // integral of the ramp's share up to the region
     double before = 0.0;  // mean share over the region before
-    while (static_cast<double>(region) < to) {
-      const double end = static_cast<double>(region + 1);
-      const double next = end < to ? 0.5 * (end - from) * (end - from) / (to - from) : end - 0.5 * (from + to);
-      differences_[at] += amount * (next - held - before);
-      before = next - held;
+    while (end - 1.0 < ramp.to) {
+      const double next = end < ramp.to ? half_slope * (end - ramp.from) * (end - ramp.from) : end - middle;
+      const double share = next - held;
+      for (const Layer& layer : layers) layer.surface->differences_[at] += sign * layer.amount * (share - before);
+      before = share;
       held = next;
-      ++region;
+      end += 1.0;
       if (++at == n) seam = before, at = 0;
     }
-    differences_[at] += amount * (1.0 - before);
+    for (const Layer& layer : layers) layer.surface->differences_[at] += sign * layer.amount * (1.0 - before);
     return seam;
   }
 

@@ -80,9 +80,19 @@ void PeakSearch::search() {
   const double* a = rows_.data() + points_[0].row * n_signals_;
   const double* b = rows_.data() + points_[1].row * n_signals_;
   const double* c = rows_.data() + points_[2].row * n_signals_;
+  // The parabola's vertex is above its highest point by a quarter of one of the two differences to it, times how long
+  // the other takes beside it, at most.
+  const double before = points_[1].time - points_[0].time;
+  const double after = points_[2].time - points_[1].time;
+  const double reach_after = 0.25 * kDoubt * after / before;
+  const double reach_before = 0.25 * kDoubt * before / after;
   for (std::size_t k = 0; k < n_signals_; ++k) {
     const double rise = b[k] - a[k];
-    if (rise * (c[k] - b[k]) < 0.0) refine(k, rise > 0.0 ? 1.0 : -1.0);
+    const double fall = b[k] - c[k];
+    if (!(rise * fall > 0.0)) continue;
+    const double reach =
+        b[k] + std::copysign(std::max(std::abs(rise) * reach_after, std::abs(fall) * reach_before), rise);
+    if (reach > greatest_[k] || reach < least_[k]) refine(k, rise > 0.0 ? 1.0 : -1.0);
   }
 }
 

@@ -208,7 +208,8 @@ void WearDeposit::lay_points(std::span<const StepSample> places, const Amounts& 
   }
 }
 
-// From place to place, in parts as the trapezoidal rule has them; at once where the contact hardly moves or grows.
+// From place to place, in parts as the trapezoidal rule has them; those between which the contact hardly moves or grows
+// at once.
 void WearDeposit::lay_path(std::span<const StepSample> places, const Amounts& worn) noexcept {
   Place from = find_place(places.front());
   const Place end = find_place(places.back());
@@ -244,11 +245,18 @@ void WearDeposit::lay_path(std::span<const StepSample> places, const Amounts& wo
     node = at.node;
     intensity = next;
   }
+  double part = 0.0;  // since `from`, where the contact was laid down last
+  double before = from.intensity;
+  double since = from.node;
   for (const StepSample& at : places.subspan(begins ? 0 : 1)) {
     const Place to = find_place(at);
-    const double part = find_part(to.node - from.node, from.intensity, to.intensity) / whole;
+    part += find_part(to.node - since, before, to.intensity) / whole;
+    since = to.node;
+    before = to.intensity;
+    if (&at != &places.back() && find_movement(from, to) < kHardly * (from.length + to.length)) continue;
     if (part > 0.0) lay_between(from, to, {part * worn.bearing, part * worn.journal});
     from = to;
+    part = 0.0;
   }
 }
 
@@ -333,13 +341,13 @@ void WearDeposit::lay_between(const Place& from, const Place& to, const Amounts&
       find_turn(to.journal_at - from.journal_at, true), to.length / journal_radius_);
 }
 
-// On all that are given, at the same place.
-void WearDeposit::lay(std::initializer_list<Layer> layers, double angle, double width, double turn,
+// On all that are given, at the same place: the mean depth [m] over the arc.
+void WearDeposit::lay(std::initializer_list<ArcAccumulator::Layer> layers, double angle, double width, double turn,
                       double end_width) const noexcept {
   const bool parabolic = contacts_.front().pressure == PressureDistribution::parabolic;
   if (deposition_ == Deposition::spread && !parabolic) {
-    const ArcAccumulator::Sweep sweep = layers.begin()->surface->find_sweep(angle, width, turn, end_width, kSoftEdge);
-    for (const Layer& layer : layers) layer.surface->add_sweep(sweep, layer.mean_depth);
+    const ArcAccumulator& any = *layers.begin()->surface;
+    ArcAccumulator::add_sweep(any.find_sweep(angle, width, turn, end_width, kSoftEdge), layers);
     return;
   }
   for (const auto& [surface, mean_depth] : layers) {

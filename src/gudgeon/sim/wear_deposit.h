@@ -77,11 +77,7 @@ class WearDeposit {
   void lay_at(const Place& place, const Amounts& amounts) noexcept;
   [[nodiscard]] double find_movement(const Place& from, const Place& to) const noexcept;
   void lay_between(const Place& from, const Place& to, const Amounts& amounts) noexcept;
-  struct Layer {
-    ArcAccumulator* surface;
-    double mean_depth;  // [m] over the arc
-  };
-  void lay(std::initializer_list<Layer> layers, double angle, double width, double turn,
+  void lay(std::initializer_list<ArcAccumulator::Layer> layers, double angle, double width, double turn,
            double end_width) const noexcept;
   [[nodiscard]] double find_side_angle(double position, double width) const noexcept;
 
