@@ -68,10 +68,15 @@ class ArcAccumulator {
     for (const Layer& layer : layers) layer.surface->base_ += layer.amount * (rear - front);
   }
 
+  /// The same on this circumference.
+  void add_sweep(const Sweep& sweep, double amount) noexcept {
+    const Layer layer{this, amount};
+    add_sweep(sweep, {&layer, 1});
+  }
+
   /// Adds `amount` to every point of the arc of that width [rad] <= 2π centred at `angle` [rad].
   void add_arc(double angle, double width, double amount) noexcept {
-    const Layer layer{this, amount};
-    add_sweep(find_sweep(angle, width, 0.0, width), {&layer, 1});
+    add_sweep(find_sweep(angle, width, 0.0, width), amount);
   }
 
   /// Adds a parabola that vanishes at both ends of the arc, 3/2 mean_amount (1 − (2x/width)²) at x [rad] from its
