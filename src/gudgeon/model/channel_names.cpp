@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
+
+#include "gudgeon/base/formula_tokens.h"
 
 namespace gudgeon {
 
@@ -54,6 +57,27 @@ std::vector<StateChannel> list_state_channels(const Mechanism& mechanism) {
     channels.push_back({joint.name + ".speed", speed, -1, static_cast<int>(j), {}});
   }
   return channels;
+}
+
+ChannelIndex::ChannelIndex(const Mechanism& mechanism) : channels_(list_state_channels(mechanism)) {
+  for (const StateChannel& channel : channels_) {
+    numbers_.emplace(channel.name, static_cast<int>(names_.size()));
+    names_.push_back(channel.name);
+  }
+}
+
+int ChannelIndex::find(std::string_view name) const {
+  const auto found = numbers_.find(std::string{name});
+  return found == numbers_.end() ? -1 : found->second;
+}
+
+std::vector<int> ChannelIndex::find_in_formula(std::string_view text) const {
+  std::set<int> found;
+  for (const FormulaToken& token : split_formula(text)) {
+    if (token.kind != FormulaToken::Kind::name) continue;
+    if (const int number = find(token.text); number >= 0) found.insert(number);
+  }
+  return {found.begin(), found.end()};
 }
 
 std::optional<Dimension> find_channel_dimension(std::string_view name) {

@@ -18,9 +18,7 @@ namespace {
 constexpr double kSameValue = 1e-9;
 
 bool check_over(CheckRules& rules, const FunctionUse& use, const SampledCurve& curve) {
-  std::vector<std::string> channels;
-  for (const StateChannel& channel : list_state_channels(rules.mechanism)) channels.push_back(channel.name);
-  const bool known = std::ranges::find(channels, curve.over) != channels.end();
+  const bool known = rules.channels().find(curve.over) >= 0;
   const std::string path = use.path() + ".over";
   if (use.of_time_only && curve.over != "t") {
     rules.diagnostics.error(
@@ -31,7 +29,7 @@ bool check_over(CheckRules& rules, const FunctionUse& use, const SampledCurve& c
   if (known) return true;
   rules.report_unknown("E-MODEL-082", path,
                        fmt::format("{} is over '{}', and there is nothing of that name", use.subject, curve.over),
-                       curve.over, "channels", channels);
+                       curve.over, "channels", rules.channels().names());
   return false;
 }
 

@@ -45,8 +45,7 @@ bool is_result(const std::string& name) {
 class ExpressionCheck {
  public:
   ExpressionCheck(CheckRules& rules, const FunctionUse& use, const Expression& expression)
-      : rules_(rules), use_(use), expression_(expression), path_(use.path()) {
-    for (const StateChannel& channel : list_state_channels(rules.mechanism)) channels_.push_back(channel.name);
+      : rules_(rules), use_(use), expression_(expression), path_(use.path()), channels_(rules.channels()) {
     for (const auto& [name, value] : expression.constants) constants_.push_back(name);
   }
 
@@ -92,7 +91,7 @@ class ExpressionCheck {
     if (name == "t" || name == "pi" || contains(constants_, name) || contains(list_formula_functions(), name)) {
       return true;
     }
-    const bool known = contains(channels_, name);
+    const bool known = channels_.find(name) >= 0;
     if (known && !use_.of_time_only) return true;
     if (known) {
       fail("E-MODEL-083", found, fmt::format("uses '{}'; a motion may depend on the time t only", name),
@@ -120,7 +119,8 @@ class ExpressionCheck {
   }
 
   bool check_grammar() {
-    std::vector<std::string> variables = channels_;
+    std::vector<std::string> variables;
+    for (const int k : channels_.find_in_formula(expression_.text)) variables.push_back(channels_.names()[k]);
     if (use_.of_time_only) variables = {"t"};
     try {
       const ExpressionEvaluator formula(expression_.text, expression_.constants, variables);
@@ -181,7 +181,7 @@ class ExpressionCheck {
     if (std::string hint = find_word_hint(name); !hint.empty()) notes.push_back(std::move(hint));
     std::vector<std::string> near{"t", "pi"};
     near.insert(near.end(), constants_.begin(), constants_.end());
-    if (!use_.of_time_only) near.insert(near.end(), channels_.begin() + 1, channels_.end());
+    if (!use_.of_time_only) near.insert(near.end(), channels_.names().begin() + 1, channels_.names().end());
     std::string note;
     if (use_.of_time_only) {
       note = fmt::format("possible: {}", join_names(near));
@@ -201,10 +201,10 @@ class ExpressionCheck {
     constexpr std::size_t kFew = 12;  // more do not help
     const std::string owner = name.substr(0, name.find('.')) + ".";
     std::vector<std::string> own;
-    for (const std::string& channel : channels_) {
+    for (const std::string& channel : channels_.names()) {
       if (channel.starts_with(owner)) own.push_back(channel);
     }
-    std::vector<std::string> listed = own.empty() ? channels_ : own;
+    std::vector<std::string> listed = own.empty() ? channels_.names() : own;
     const bool cut = listed.size() > kFew;
     if (cut) listed.resize(kFew);
     return fmt::format("channels{} are: {}{}", own.empty() ? "" : " of '" + name.substr(0, name.find('.')) + "'",
@@ -215,7 +215,7 @@ class ExpressionCheck {
   const FunctionUse& use_;
   const Expression& expression_;
   std::string path_;
-  std::vector<std::string> channels_;
+  const ChannelIndex& channels_;
   std::vector<std::string> constants_;
 };
 

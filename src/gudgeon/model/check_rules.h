@@ -12,6 +12,7 @@
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/base/parameter_table.h"
 #include "gudgeon/base/vec2.h"
+#include "gudgeon/model/channel_names.h"
 #include "gudgeon/model/mechanism.h"
 #include "gudgeon/model/name_index.h"
 #include "gudgeon/model/study.h"
@@ -41,6 +42,11 @@ class CheckRules {
                       std::string_view kind, const std::vector<std::string>& known);
   /// "\"-0.5 mm\" (-0.0005 m)", or only the SI value when it is not known how it was written.
   [[nodiscard]] std::string describe(const Value& value) const;
+  /// Made when first asked for.
+  const ChannelIndex& channels() {
+    if (!channels_) channels_.emplace(mechanism);
+    return *channels_;
+  }
 
   const Mechanism& mechanism;
   const NameIndex names;
@@ -49,6 +55,7 @@ class CheckRules {
 
  private:
   const SourceMap* source_;
+  std::optional<ChannelIndex> channels_;
   bool read_with_errors_;  // what is no number could not be read, and has been reported
 };
 

@@ -5,6 +5,8 @@
 #include "gudgeon/system/compile_loads.h"
 
 #include <algorithm>
+#include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace gudgeon {
@@ -14,13 +16,7 @@ namespace {
 class LoadCompiler {
  public:
   LoadCompiler(const Mechanism& mechanism, const Topology& topology, Tables& tables)
-      : mechanism_(mechanism),
-        names_(mechanism),
-        topology_(topology),
-        tables_(tables),
-        known_(list_state_channels(mechanism)) {
-    for (const StateChannel& channel : known_) known_names_.push_back(channel.name);
-  }
+      : mechanism_(mechanism), names_(mechanism), topology_(topology), tables_(tables) {}
 
   void compile() {
     tables_.loads.effects.resize(mechanism_.loads.size());
@@ -87,27 +83,31 @@ class LoadCompiler {
     } else if (const auto* expression = std::get_if<Expression>(&function)) {
       compiled.expression = static_cast<int>(tables_.loads.expressions.size());
       tables_.loads.expressions.push_back(*expression);
-      const ExpressionEvaluator evaluator(expression->text, expression->constants, known_names_);
-      for (const int used : evaluator.used_variables()) find_channel(used);
+      for (const int used : known().find_in_formula(expression->text)) find_channel(used);
     } else {
       const auto& curve = std::get<SampledCurve>(function);
       compiled.curve = static_cast<int>(tables_.loads.curves.size());
       tables_.loads.curves.push_back(make_load_curve(curve));
-      compiled.channel =
-          find_channel(static_cast<int>(std::ranges::find(known_names_, curve.over) - known_names_.begin()));
+      compiled.channel = find_channel(known().find(curve.over));
     }
     return compiled;
   }
 
   // Where one of the known channels stands among those that are used.
-  int find_channel(int known) {
+  int find_channel(int number) {
     LoadTables& loads = tables_.loads;
-    const auto found = std::ranges::find(loads.channel_names, known_names_[known]);
-    const auto at = static_cast<int>(found - loads.channel_names.begin());
-    if (found != loads.channel_names.end()) return at;
-    loads.channel_names.push_back(known_names_[known]);
-    loads.channels.push_back(make_source(known_[known]));
-    return at;
+    const auto [used, is_new] = used_.emplace(number, static_cast<int>(loads.channels.size()));
+    if (is_new) {
+      loads.channel_names.push_back(known().names()[number]);
+      loads.channels.push_back(make_source(known().channels()[number]));
+    }
+    return used->second;
+  }
+
+  // Made when the first formula or curve asks.
+  const ChannelIndex& known() {
+    if (!known_) known_.emplace(mechanism_);
+    return *known_;
   }
 
   ChannelSource make_source(const StateChannel& channel) {
@@ -161,8 +161,8 @@ class LoadCompiler {
   NameIndex names_;
   const Topology& topology_;
   Tables& tables_;
-  std::vector<StateChannel> known_;
-  std::vector<std::string> known_names_;
+  std::optional<ChannelIndex> known_;
+  std::unordered_map<int, int> used_;  // where the known channels stand among those that are used
 };
 
 }  // namespace
