@@ -26,14 +26,16 @@ note() {
   fi
 }
 
-# A life of the nine-bar press: ten thousand cycles on new surfaces and ten thousand on worn ones.
+# A life of the nine-bar press: ten thousand cycles on new surfaces and ten thousand on worn ones. It must run through; a
+# balance that does not close (exit code 6) is told with the rest.
 nine_bar_life() {
   "$program" run examples/nine_bar/nine_bar.toml -o "$runs/life" --overwrite --threads 1 \
     --set study.relative_tolerance="$1" --set study.cycles=10000 --set study.magnification=8 \
-    --set study.wear_stages=1 --set study.compare_ideal=false --set study.outputs_per_cycle=1 > "$runs/summary" ||
-    { cat "$runs/summary"; return 1; }
+    --set study.wear_stages=1 --set study.compare_ideal=false --set study.outputs_per_cycle=1 > "$runs/summary"
+  local code=$?
+  [ $code -eq 0 ] || [ $code -eq 6 ] || { cat "$runs/summary"; return 1; }
   [ "$(grep -cE '^ +(no_wear|wear_1) +finished +10 ?000 ' "$runs/summary")" -eq 2 ] || { cat "$runs/summary"; return 1; }
-  grep -E '^ +wear_1 +finished' "$runs/summary" | tr -s ' '
+  grep -E '^ +(wear_1 +finished|residual|adds up) ' "$runs/summary" | tr -s ' ' | paste -sd ';'
 }
 
 nine_bar_life_1e-4() { nine_bar_life 1e-4; }

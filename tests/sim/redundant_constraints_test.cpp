@@ -12,6 +12,7 @@
 #include "gudgeon/io/model_reader.h"
 #include "gudgeon/sim/kinematic_cycle.h"
 #include "gudgeon/sim/run_study.h"
+#include "gudgeon/system/mobility.h"
 
 namespace gudgeon {
 namespace {
@@ -141,6 +142,14 @@ TEST(RedundantConstraints, PlatePinnedTwiceIsPartOfItsCoupler) {
       EXPECT_NEAR(find_peak(stages[s], joint + ".force"), peak, 1e-4 * peak) << stages[s].name << " " << joint;
     }
   }
+}
+
+// Each of the two lifts may move a little without the other as far as any row sees.
+TEST(RedundantConstraints, SecondOrderIsTold) {
+  const Mobility mobility = find_mobility(read_case_file("lift_held_to_second_order").mechanism);
+  EXPECT_FALSE(mobility.singular_start);
+  EXPECT_THAT(mobility.held_to_second_order, testing::AnyOf("short2", "long2", "sl2", "plat", "g2"));
+  EXPECT_EQ(find_mobility(read_case_file("parallelogram_crank").mechanism).held_to_second_order, "");
 }
 
 TEST(RedundantConstraints, JointHeldToSecondOrderStaysClosedOrStopsTheRun) {

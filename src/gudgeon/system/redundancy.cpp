@@ -30,6 +30,9 @@ constexpr double kNeighbourClosedShare = 1e-11;
 // Directions tried before a dependence of rows counts as permanent. Where several loops are singular at once, the
 // position lies on several branches, some more than there are loops, and only on few of them all rows come free.
 constexpr int kProbes = 24;
+// A step back to closed loops that leaves more than this of the gap is followed by one damped so much less.
+constexpr double kHardlyNearer = 0.5;
+constexpr double kLessDamping = 0.25;
 // A direction that is left by all but this share on the way back to closed loops leads nowhere.
 constexpr double kLeadingShare = 0.05;
 // With more free directions than this, finding those that lead nowhere would take too long.
@@ -45,6 +48,8 @@ VectorXd make_uneven(Index size, int seed) {
 
 class RankProbe {
  public:
+  enum class Damping { kept, let_go };
+
   explicit RankProbe(const Tables& tables) : tables_(tables), workspace_(tables), rest_(tables.counts.n_free(), 0.0) {}
 
   SparseMatrix find_jacobian(double t, const VectorXd& q) {
@@ -54,22 +59,28 @@ class RankProbe {
 
   // A position that closes, as near as possible to the one that a step along a direction leads to. None where the way
   // to closed loops was not found.
-  std::optional<VectorXd> find_neighbour(double t, const VectorXd& q, const VectorXd& direction) {
+  std::optional<VectorXd> find_neighbour(double t, const VectorXd& q, const VectorXd& direction, Damping kind) {
     VectorXd neighbour = q;
     const double longest = direction.size() > 0 ? direction.cwiseAbs().maxCoeff() : 0.0;
     if (longest > 1e-9) neighbour += kNeighbourDistance * direction / longest;
     // Levenberg-Marquardt damped with the gap goes to the nearest branch, where Newton's steps near a singular position
-    // only halve the way back to it.
+    // only halve the way back to it. Across what is held to second order its steps hardly get nearer: there the damping
+    // may be let go, though rows that depend on each other keep looking independent, as the gap goes with a square.
     Eigen::SimplicialLDLT<SparseMatrix> factors;
     SparseMatrix identity(q.size(), q.size());
     identity.setIdentity();
     double size = 0.0;
+    double damping = 1.0;
+    double last_gap = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < 60; ++iteration) {
       const SparseMatrix at = find_jacobian(t, neighbour);
       size = std::sqrt((at.cwiseProduct(at) * VectorXd::Ones(at.cols())).maxCoeff());
       const VectorXd gaps = find_closure_gaps(workspace_);
-      if (gaps.norm() <= 1e-3 * kNeighbourClosedShare * size) break;
-      const SparseMatrix normal = at.transpose() * at + gaps.norm() * size * identity;
+      const double gap = gaps.norm();
+      if (gap <= 1e-3 * kNeighbourClosedShare * size) break;
+      if (kind == Damping::let_go && gap > kHardlyNearer * last_gap) damping *= kLessDamping;
+      last_gap = gap;
+      const SparseMatrix normal = at.transpose() * at + damping * gap * size * identity;
       if (iteration == 0) factors.analyzePattern(normal);
       factors.factorize(normal);
       neighbour -= factors.solve(at.transpose() * gaps);
@@ -111,7 +122,7 @@ int find_held_coordinate(RankProbe& probe, double t, const VectorXd& here, const
   MatrixXd ways(basis.cols(), 0);
   for (int k = 0; k < 2 * basis.cols() + 6; ++k) {
     const VectorXd direction = basis * make_uneven(basis.cols(), k);
-    const auto neighbour = probe.find_neighbour(t, here, direction);
+    const auto neighbour = probe.find_neighbour(t, here, direction, RankProbe::Damping::let_go);
     if (!neighbour) continue;
     ways.conservativeResize(Eigen::NoChange, ways.cols() + 1);
     ways.rightCols(1) = basis.transpose() * (*neighbour - here) / kNeighbourDistance;
@@ -146,7 +157,7 @@ Redundancy find_redundancy(const Tables& tables, double t, const std::vector<dou
     const VectorXd& from = probes % 2 == 0 ? here : best_at;
     const RowSpace rows(probe.find_jacobian(t, from));
     const VectorXd direction = rows.find_free_part(make_uneven(here.size(), probes / 2));
-    const auto neighbour = probe.find_neighbour(later, from, direction);
+    const auto neighbour = probe.find_neighbour(later, from, direction, RankProbe::Damping::kept);
     // Back where it began nothing is learned.
     if (!neighbour || (later == t && (*neighbour - here).cwiseAbs().maxCoeff() < 0.1 * kNeighbourDistance)) continue;
     const RowRank rank = find_row_rank(tables, RowSpace(probe.find_jacobian(later, *neighbour)));
