@@ -53,6 +53,13 @@ TEST(FormulaBreaks, AreComparisonsAndFunctionsThatJumpOrBend) {
               ElementsAre("sign ( block.x_velocity )", "abs ( t - 1 )"));
 }
 
+TEST(FormulaBreaks, AreLeftAloneWhereTheHeldPieceHasNoValue) {
+  HeldFormula root("abs(t)^0.5");
+  const std::vector<int> held = root.find_pieces(1.0);
+  EXPECT_EQ(root.eval(-4.0, held.data()), 2.0);
+  EXPECT_EQ(root.found[0].argument, -4.0);
+}
+
 TEST(FormulaBreaks, HaveTheOperandsThatPrecedenceGives) {
   EXPECT_THAT(
       list_texts("(t+1)*2 < 3^2-1 || u >= -t ? (t == 2) : max(t < 1, 2)"),

@@ -87,6 +87,15 @@ TEST(LoadBreaks, AreMetWhereAllIsDriven) {
   EXPECT_NEAR(stage.ledger.driver_work, -stage.ledger.load_work, 1e-8);
 }
 
+// √v falls by 1.25 a second; beyond rest the piece of abs that was held has no root.
+TEST(LoadBreaks, FormulasWithoutAValueBeyondTheirPieceGoOn) {
+  const StageRecord stage = run_block("[joints.G.start]\nspeed = \"1 m/s\"\n" +
+                                      make_force("drag", "-5*abs(block.x_velocity)^0.5*sign(block.x_velocity)"));
+  EXPECT_EQ(stage.status, StageStatus::finished) << stage.message;
+  EXPECT_NEAR(last(stage, "block.x"), 0.8 / 3.0, 1e-5);
+  EXPECT_NEAR(last(stage, "block.x_velocity"), 0.0, 1e-5);
+}
+
 // v = ∫ (20 t − 5)/2 dt from where 20 t is 5.
 TEST(LoadBreaks, BlockThatSticksSlipsWhereThePullExceedsFriction) {
   const StageRecord stage = run_block(make_force("rub", "-5*sign(block.x_velocity)") + make_force("pull", "20*t"));

@@ -137,6 +137,18 @@ struct ExpressionEvaluator::Implementation {
                       at.owner->found == nullptr ? unseen : at.owner->found[at.index]);
   }
 
+  double eval(const int* pieces, BreakState* states) noexcept {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    held = pieces;
+    found = states;
+    try {
+      const double value = parser.Eval();
+      return std::isfinite(value) ? value : kNone;
+    } catch (...) {
+      return kNone;
+    }
+  }
+
   // From now on the parser evaluates the formula whose breaks are functions.
   void mark(const std::string& text) {
     marked = mark_breaks(text);
@@ -210,17 +222,11 @@ const std::vector<FormulaBreak>& ExpressionEvaluator::breaks() const { return im
 double ExpressionEvaluator::eval(const double* values) noexcept { return eval(values, nullptr, nullptr); }
 
 double ExpressionEvaluator::eval(const double* values, const int* held, BreakState* found) noexcept {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  implementation_->held = held;
-  implementation_->found = found;
   for (std::size_t k = 0; found != nullptr && k < implementation_->breaks.size(); ++k) found[k].met = false;
   for (const int k : implementation_->used) implementation_->values[k] = values[k];
-  try {
-    const double value = implementation_->parser.Eval();
-    return std::isfinite(value) ? value : kNone;
-  } catch (...) {
-    return kNone;
-  }
+  const double value = implementation_->eval(held, found);
+  // Off its piece a formula may have no value, abs(x)^0.5 with abs held at x: there it is that of the piece it is in.
+  return std::isnan(value) && held != nullptr ? implementation_->eval(nullptr, nullptr) : value;
 }
 
 }  // namespace gudgeon

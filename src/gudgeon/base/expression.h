@@ -47,8 +47,8 @@ class ExpressionEvaluator {
 
   /// Where the pieces of the formula meet.
   [[nodiscard]] const std::vector<FormulaBreak>& breaks() const;
-  /// The value with the held pieces, one a break or none at all; what each break was like is written to `found`, where
-  /// there is one. Allocates nothing.
+  /// The value with the held pieces, one a break or none at all; where they give none, that of the pieces that the
+  /// arguments are in. What each break was like is written to `found`, where there is one. Allocates nothing.
   [[nodiscard]] double eval(const double* values, const int* held, BreakState* found) noexcept;
 
  private:

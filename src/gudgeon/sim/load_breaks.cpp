@@ -24,6 +24,12 @@ constexpr double kRoundings = 8.0;
 constexpr double kWindowsAhead = 4.0;
 constexpr double kFarther = 10.0;
 constexpr int kMostStalls = 6;
+// Where so many changes in a row fall within this share of a cycle, as about a speed that comes to rest under a force
+// that vanishes with it, nothing is held for a while, and the step control sees what there is to see; for longer each
+// time that follows on the last.
+constexpr double kCrowdShare = 1e-6;
+constexpr double kFirstReleaseShare = 1e-3;
+constexpr double kLongestReleaseShare = 0.1;
 // Of two breaks that change together, the second stays on its break, too, where it moves this much slower.
 constexpr double kStaysOn = 1e-3;
 
@@ -41,6 +47,8 @@ LoadBreaks::LoadBreaks(const System& system, double cycle_time, SolverStatistics
   for (Pieces& pieces : tried_) pieces.assign(scratch_.loads.breaks.size(), kFreePiece);
   next_ = tried_.front();
   later_slope_ = state_;
+  recent_.fill(-kInfinity);
+  released_until_ = -kInfinity;
   last_ = scratch_.loads.held;
 }
 
@@ -89,6 +97,7 @@ void LoadBreaks::watch_motions(const System& system) {
 
 double LoadBreaks::find_next_point(double time) const noexcept {
   double next = kInfinity;
+  if (released_until_ > time + find_window(time)) next = released_until_;
   for (const Curve& curve : clocks_) next = std::min(next, curve.find_piece(time + find_window(time)).second);
   return next;
 }
@@ -105,6 +114,10 @@ bool LoadBreaks::hold(double t, const std::vector<double>& y, std::vector<double
   ++n_changes_;
   has_changed_ = false;
   if (n_stalls_ > kMostStalls) return false;
+  if (is_crowded(t)) {
+    release(t, y, slope, equations);
+    return true;
+  }
   if (!scratch_.loads.breaks.empty()) {
     const HeldPieces& held = equations.workspace.loads.held;
     last_ = held;
@@ -115,6 +128,32 @@ bool LoadBreaks::hold(double t, const std::vector<double>& y, std::vector<double
   }
   bound_pieces(t, y, slope, equations);
   return true;
+}
+
+// Whether changes follow each other closely; notes this one.
+bool LoadBreaks::is_crowded(double t) noexcept {
+  double& oldest = recent_[static_cast<std::size_t>(n_changes_) % recent_.size()];
+  const bool crowded = t - oldest < kCrowdShare * cycle_time_;
+  oldest = t;
+  return crowded;
+}
+
+// Holds nothing for a while.
+void LoadBreaks::release(double t, const std::vector<double>& y, std::vector<double>& slope,
+                         MotionEquations& equations) noexcept {
+  const bool follows = t - released_until_ < kCrowdShare * cycle_time_;
+  release_ = follows ? std::min(2.0 * release_, kLongestReleaseShare * cycle_time_) : kFirstReleaseShare * cycle_time_;
+  released_until_ = t + release_;
+  recent_.fill(-kInfinity);
+  HeldPieces& held = equations.workspace.loads.held;
+  std::ranges::fill(held.pieces, kFreePiece);
+  std::ranges::fill(held.others, kFreePiece);
+  held.surface = -1;
+  held.share = 0.0;
+  for (Watched& watched : watched_) watched.low = -kInfinity, watched.high = kInfinity;
+  is_searched_ = false;
+  has_changed_ = true;
+  eval(t, y, slope, equations);
 }
 
 void LoadBreaks::move_ahead(const std::vector<double>& y, const std::vector<double>& slope) noexcept {

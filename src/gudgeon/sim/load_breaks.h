@@ -83,6 +83,8 @@ class LoadBreaks {
   void eval(double t, const std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations) noexcept;
   void watch_loads(const System& system);
   void watch_motions(const System& system);
+  bool is_crowded(double t) noexcept;
+  void release(double t, const std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations) noexcept;
   void move_ahead(const std::vector<double>& y, const std::vector<double>& slope) noexcept;
   void read_pieces(double t, const std::vector<double>& y, const std::vector<double>& slope, MotionEquations& equations,
                    Pieces& pieces) noexcept;
@@ -102,6 +104,7 @@ class LoadBreaks {
 
   static constexpr int kParts = 8;
   static constexpr int kMostTries = 6;
+  static constexpr std::size_t kCrowd = 32;  // changes
 
   const System* system_;
   SolverStatistics* statistics_;
@@ -127,6 +130,9 @@ class LoadBreaks {
   int n_stalls_ = 0;         // holds in a row between which no time passed
   std::size_t stalled_ = 0;  // break
   std::int64_t n_changes_ = 0;
+  std::array<double, kCrowd> recent_;  // [s] times of the last changes
+  double release_ = 0.0;               // [s] how long nothing was held the last time
+  double released_until_;              // [s]
 };
 
 }  // namespace gudgeon
