@@ -141,7 +141,7 @@ bool LoadBreaks::is_crowded(double t) noexcept {
 // Holds nothing for a while.
 void LoadBreaks::release(double t, const std::vector<double>& y, std::vector<double>& slope,
                          MotionEquations& equations) noexcept {
-  const bool follows = t - released_until_ < kCrowdShare * cycle_time_;
+  const bool follows = t - released_until_ < release_;
   release_ = follows ? std::min(2.0 * release_, kLongestReleaseShare * cycle_time_) : kFirstReleaseShare * cycle_time_;
   released_until_ = t + release_;
   recent_.fill(-kInfinity);
