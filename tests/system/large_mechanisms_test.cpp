@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Mechanisms of a thousand loops or joints: what took a square of their number would be felt here.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,7 +39,7 @@ TEST(LargeMechanisms, EachOfFiveHundredSeparateFourBarsMovesByItself) {
   const Mechanism one = oracle::make_n_four_bar(1);
   Mechanism mechanism = oracle::make_empty("separate", one.gravity, {});
   for (int k = 0; k < kCopies; ++k) {
-    const std::string prefix = "c" + std::to_string(k) + "_";
+    const std::string prefix = fmt::format("c{}_", k);
     const auto rename = [&](const Anchor& anchor) {
       return anchor.body == kFrameName ? Anchor{kFrameName, prefix + anchor.point}
                                        : Anchor{prefix + anchor.body, anchor.point};
