@@ -96,6 +96,16 @@ TEST(LoadBreaks, FormulasWithoutAValueBeyondTheirPieceGoOn) {
   EXPECT_NEAR(last(stage, "block.x_velocity"), 0.0, 1e-5);
 }
 
+TEST(LoadBreaks, AreMetByEitherIntegratorWhereAllIsDriven) {
+  for (const Integrator integrator : {Integrator::automatic, Integrator::stiff}) {
+    ModelFile model =
+        read_model_text("block.toml", make_block(make_force("push", "t > 0.5034 && t < 0.5114 ? 1000 : 0") +
+                                                 "[drivers.motor]\nslide = \"G\"\nspeed = \"1 m/s\"\n"));
+    model.study.integrator = integrator;
+    EXPECT_NEAR(run_model(model).ledger.load_work, 1000.0 * 0.008, 1e-8);
+  }
+}
+
 // v = ∫ (20 t − 5)/2 dt from where 20 t is 5.
 TEST(LoadBreaks, BlockThatSticksSlipsWhereThePullExceedsFriction) {
   const StageRecord stage = run_block(make_force("rub", "-5*sign(block.x_velocity)") + make_force("pull", "20*t"));
@@ -108,8 +118,8 @@ TEST(LoadBreaks, TwoConditionsOnOneSpeedHoldTogether) {
   EXPECT_NEAR(last(stage, "block.x_velocity"), (10.0 * 0.75 - 5.0 * 0.5) / 2.0, 1e-6);
 }
 
-// It comes into the zone at 10 mm/s, a hair before it would turn by itself, and is out again after 0.4 us: the turn comes
-// 1 ms earlier than without the zone, and so does the return.
+// It comes into the zone at 10 mm/s, a hair before it would turn by itself, and is out again after 0.4 us: the turn
+// comes 1 ms earlier than without the zone, and so does the return.
 TEST(LoadBreaks, ZoneTouchedAtATurningPointIsSeen) {
   const StageRecord stage = run_block(make_force("field", "-20 + 0*t") + "[joints.G.start]\nspeed = \"5 m/s\"\n" +
                                       make_force("zone", "block.x > 1.249995 ? -1e5 : 0"));

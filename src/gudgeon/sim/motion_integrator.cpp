@@ -63,11 +63,13 @@ MotionIntegrator::MotionIntegrator(const System& given, const Study& study, doub
       end_gaps_(system_.tables.contacts.size()),
       passed_(equations_.size()) {
   if (own_system_) row_choice_.emplace(*own_system_);
-  if (study.integrator != Integrator::stiff) {
+  // Where all is driven there are works to sum up, and nothing that could be stiff.
+  const bool has_states = equations_.n_free() > 0 || system_.tables.n_bristles > 0;
+  const bool is_stiff = study.integrator == Integrator::stiff && has_states;
+  if (!is_stiff) {
     explicit_ = std::make_unique<ExplicitStepper>(equations_, statistics_, tolerance_, kFirstStepShare * cycle_time);
   }
-  if (study.integrator == Integrator::stiff ||
-      (study.integrator == Integrator::automatic && system_.tables.n_bristles > 0)) {
+  if (is_stiff || (study.integrator == Integrator::automatic && system_.tables.n_bristles > 0)) {
     const bool projects = study.stabilization == Stabilization::projection && !system_.tables.closures.empty();
     stiff_ = std::make_unique<StiffStepper>(equations_, statistics_, tolerance_, projects ? &projection_ : nullptr,
                                             longest_step_);
