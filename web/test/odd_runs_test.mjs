@@ -55,5 +55,5 @@ test('twelve clearance joints, one of two at a time magnified', async () => {
 
 test('a run that failed half-way', async () => {
   const file = makeReport(writeFailing(), 'failed', ['study.compare_ideal=false', 'study.cycles=1'], { mayFail: true });
-  await checkReport(file, { figures: 14, joints: 1, text: /Stage “no wear” failed at .* what it recorded is shown/ });
+  await checkReport(file, { figures: 15, joints: 1, text: /Stage “no wear” failed at .* what it recorded is shown/ });
 });
