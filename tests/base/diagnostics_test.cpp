@@ -41,6 +41,21 @@ TEST(Render, CountsColumnsOfWideLetters) {
             "1 error\n");
 }
 
+TEST(Render, ShowsOfALongLineWhatIsAroundTheSpan) {
+  SourceMap source;
+  source.file = "table.toml";
+  source.text = "α = [" + std::string(1000, '1') + "x" + std::string(1000, '2') + "]";
+  source.spans["x"] = {1, 1006, 500};
+  source.spans["α"] = {1, 1, 1};
+  Diagnostics diagnostics;
+  diagnostics.error("E-X-001", "x", "long");
+  diagnostics.error("E-X-002", "α", "first");
+  EXPECT_EQ(render(diagnostics, source), "table.toml:1:1: error E-X-002: first\n    1 | α = [" + std::string(155, '1') +
+                                             "…\n      | ^\ntable.toml:1:1006: error E-X-001: long\n    1 | …" +
+                                             std::string(60, '1') + "x" + std::string(99, '2') + "…\n      |  " +
+                                             std::string(60, ' ') + std::string(100, '^') + "\n2 errors\n");
+}
+
 TEST(Render, PutsErrorsFirstAndCountsAll) {
   Diagnostics diagnostics;
   diagnostics.remark("R-1", "", "r");

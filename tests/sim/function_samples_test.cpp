@@ -43,7 +43,7 @@ TEST(FunctionSamples, ShowAFormulaOfTheTimeOverTheStudy) {
   const FunctionSamples& push = samples.front();
   EXPECT_EQ(push.id, "loads.push.force.0");
   EXPECT_EQ(push.over, "t");
-  EXPECT_FALSE(push.holds_others);
+  EXPECT_EQ(push.others, "");
   EXPECT_EQ(push.arguments.front(), 0.0);
   EXPECT_EQ(push.arguments.back(), 6.0);
   const auto jump = std::ranges::find(push.values, 7.0) - push.values.begin();
@@ -53,15 +53,17 @@ TEST(FunctionSamples, ShowAFormulaOfTheTimeOverTheStudy) {
 
 TEST(FunctionSamples, ShowAFormulaOfTheStateOverEachChannelFromTheStart) {
   const auto samples = sample_model("[loads.drag]\nbody = \"arm\"\ntorque = \"-3*arm.angle_rate + sin(arm.angle)\"\n");
-  ASSERT_EQ(samples.size(), 2U);
+  ASSERT_EQ(samples.size(), 6U);
+  constexpr double kReach = std::numbers::pi;  // half a turn, and a turn a cycle of 2 s
+  constexpr double kStart = 0.5 * std::numbers::pi;
   for (const FunctionSamples& one : samples) {
-    EXPECT_TRUE(one.holds_others);
     const bool is_rate = one.over == "arm.angle_rate";
-    const double reach = std::numbers::pi;  // half a turn, and a turn a cycle of 2 s
-    const double start = is_rate ? 0.0 : 0.5 * std::numbers::pi;
-    EXPECT_NEAR(one.arguments.front(), start - reach, 1e-12);
-    EXPECT_NEAR(one.arguments.back(), start + reach, 1e-12);
-    EXPECT_NEAR(one.values.back(), is_rate ? -3.0 * reach + 1.0 : std::sin(start + reach), 1e-12);
+    const double shift = one.others == "at the start" ? 0.0 : one.others == "below it" ? -0.5 * kReach : 0.5 * kReach;
+    EXPECT_NEAR(one.arguments.front(), (is_rate ? 0.0 : kStart) - kReach, 1e-12);
+    EXPECT_NEAR(one.arguments.back(), (is_rate ? 0.0 : kStart) + kReach, 1e-12);
+    const double rate = is_rate ? kReach : shift;
+    const double angle = kStart + (is_rate ? shift : kReach);
+    EXPECT_NEAR(one.values.back(), -3.0 * rate + std::sin(angle), 1e-12) << one.over << " " << one.others;
   }
 }
 

@@ -62,6 +62,33 @@ std::size_t display_width(char32_t code) {
   return wide ? 2 : 1;
 }
 
+/// What of a line is shown, and where the span is in it.
+struct Excerpt {
+  std::string line;
+  SourceSpan span;
+};
+
+/// The line whole, or of a long one, a table of thousand numbers, what is around the beginning of the span.
+Excerpt make_excerpt(std::string_view line, SourceSpan span) {
+  constexpr int kMostShown = 160;  // code points
+  constexpr int kShownBefore = 60;
+  const int before = std::max(span.column - 1 - kShownBefore, 0);
+  std::string_view rest = line;
+  std::string_view shown = line;
+  for (int k = 0; k < before + kMostShown && !rest.empty(); ++k) {
+    if (k == before) shown = rest;
+    take_code_point(rest);
+  }
+  if (rest.empty() && before == 0) return {std::string{line}, span};
+  if (rest.empty() && shown.data() == line.data()) shown = {};
+  Excerpt excerpt{before > 0 ? "…" : "", span};
+  excerpt.line += shown.substr(0, shown.size() - rest.size());
+  if (!rest.empty()) excerpt.line += "…";
+  excerpt.span.column += (before > 0 ? 1 : 0) - before;
+  excerpt.span.length = std::min(span.length, before + kMostShown - span.column + 1);
+  return excerpt;
+}
+
 /// Blanks up to the span, tabs kept as tabs, then a caret under each of its columns.
 std::string make_caret(std::string_view line, const SourceSpan& span) {
   std::string caret;
@@ -108,7 +135,8 @@ void render_one(std::string& out, const Diagnostic& item, const SourceMap& sourc
   }
   fmt::format_to(write, "{} {}: {}\n", severity_name(item.severity), item.code, item.message);
   if (placed) {
-    fmt::format_to(write, "{:>5} | {}\n      | {}\n", place.line, line, make_caret(line, place));
+    const Excerpt excerpt = make_excerpt(line, place);
+    fmt::format_to(write, "{:>5} | {}\n      | {}\n", place.line, excerpt.line, make_caret(excerpt.line, excerpt.span));
     if (origin != nullptr) fmt::format_to(write, "   set by {}\n", *origin);
   }
   for (const std::string& note : item.notes) fmt::format_to(write, "   {}\n", note);

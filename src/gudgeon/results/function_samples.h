@@ -11,14 +11,14 @@ namespace gudgeon {
 
 /// A formula or curve as the user gave it, over one of what it depends on.
 struct FunctionSamples {
-  std::string id;             ///< "loads.cut.force.0"; a motion's acceleration "drivers.motor.motion.acceleration"
-  std::string subject;        ///< "load 'cut'"
-  std::string what;           ///< "force in x", "acceleration"
-  std::string unit;           ///< of the values, SI
-  std::string over;           ///< "t", "guide.displacement"
-  std::string over_unit;      ///< SI
-  bool is_formula = false;    ///< otherwise a curve
-  bool holds_others = false;  ///< it depends on more, which has its value at the start
+  std::string id;           ///< "loads.cut.force.0"; a motion's acceleration "drivers.motor.motion.acceleration"
+  std::string subject;      ///< "load 'cut'"
+  std::string what;         ///< "force in x", "acceleration"
+  std::string unit;         ///< of the values, SI
+  std::string over;         ///< "t", "guide.displacement"
+  std::string over_unit;    ///< SI
+  bool is_formula = false;  ///< otherwise a curve
+  std::string others;       ///< where what else it depends on is held: "at the start"; empty without any
   std::vector<double> arguments;
   std::vector<double> values;           ///< one an argument; not finite where the formula has none
   std::vector<double> point_arguments;  ///< of a curve: what it was given by

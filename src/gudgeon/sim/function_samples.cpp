@@ -116,13 +116,34 @@ class FunctionSampler {
       const auto k = static_cast<std::size_t>(channel);
       FunctionSamples samples = base;
       samples.is_formula = true;
-      samples.holds_others = formula.used_variables().size() > 1;
       samples.over = loads.channel_names[k];
       samples.over_unit = si_unit(find_channel_dimension(samples.over).value_or(dimension::kNone));
-      std::vector<double> inputs = workspace_.loads.channel_values;
-      sample_formula(formula, inputs, k, find_range(loads.channels[k].quantity, inputs[k]), samples);
-      samples_.push_back(std::move(samples));
+      const std::vector<double>& start = workspace_.loads.channel_values;
+      const Range range = find_range(loads.channels[k].quantity, start[k]);
+      if (formula.used_variables().size() == 1) {
+        add_formula(formula, start, k, range, samples);
+        continue;
+      }
+      for (const auto& [others, share] : {std::pair{"at the start", 0.0}, {"below it", -0.5}, {"above it", 0.5}}) {
+        samples.others = others;
+        add_formula(formula, shift_inputs(start, share), k, range, samples);
+      }
     }
+  }
+
+  // All channels by that share of how far they are shown from the start; time does not go back.
+  [[nodiscard]] std::vector<double> shift_inputs(std::vector<double> inputs, double share) const {
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const Range range = find_range(system_.tables.loads.channels[k].quantity, inputs[k]);
+      inputs[k] = std::max(inputs[k] + share * 0.5 * (range.end - range.begin), range.begin);
+    }
+    return inputs;
+  }
+
+  void add_formula(ExpressionEvaluator& formula, std::vector<double> inputs, std::size_t running, Range range,
+                   FunctionSamples samples) {
+    sample_formula(formula, inputs, running, range, samples);
+    samples_.push_back(std::move(samples));
   }
 
   [[nodiscard]] Range find_range(StateChannel::Quantity quantity, double start) const {
