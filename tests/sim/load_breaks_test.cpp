@@ -112,6 +112,18 @@ TEST(LoadBreaks, BlockThatSticksSlipsWhereThePullExceedsFriction) {
   EXPECT_NEAR(last(stage, "block.x_velocity"), (10.0 * (1.0 - 0.0625) - 5.0 * 0.75) / 2.0, 1e-6);
 }
 
+// What is looked at between steps, where the bob turns, must hold the block too.
+TEST(LoadBreaks, BlockThatSticksHasNoAccelerationBetweenSteps) {
+  const StageRecord stage =
+      run_block(make_force("rub", "-5*sign(block.x_velocity)") + make_force("pull", "4*sin(3*t)") +
+                "[bodies.bob]\nmass = \"1 kg\"\ninertia = 0\npoints = { C = [0, 0] }\n"
+                "[joints.H]\ntype = \"prismatic\"\nbetween = [\"frame.O\", \"bob.C\"]\ndirection = \"90 deg\"\n"
+                "start = { speed = \"1 m/s\" }\n[loads.swing]\npoint = \"bob.C\"\nforce = [0, \"-100*bob.y\"]\n");
+  EXPECT_NEAR(find_statistics(stage, "bob.y_acceleration")->minimum, -10.0, 1e-3);
+  EXPECT_NEAR(find_statistics(stage, "block.x_acceleration")->minimum, 0.0, 1e-9);
+  EXPECT_NEAR(find_statistics(stage, "block.x_acceleration")->maximum, 0.0, 1e-9);
+}
+
 TEST(LoadBreaks, TwoConditionsOnOneSpeedHoldTogether) {
   const StageRecord stage = run_block(make_force("rub", "block.x_velocity > 0 ? -5 : block.x_velocity < 0 ? 5 : 0") +
                                       make_force("pull", "t > 0.5 ? 20*t : 0"));

@@ -20,18 +20,19 @@ constexpr double kReturnShare = 0.02;
 
 // Forces on the break are those of both sides, mixed so that its argument stays where it is: ẋ = −x/τ. Accelerations
 // are linear in the share.
-void MotionEquations::eval_sliding(double t, const double* y, Workspace& target) noexcept {
+void MotionEquations::eval_sliding(double t, const double* y, std::span<const ContactLatch> latched,
+                                   Workspace& target) noexcept {
   HeldPieces& held = target.loads.held;
   double rates[2];
   for (const int side : {0, 1}) {
     held.share = side;
-    eval_dynamics(*tables_, t, y, y + n_free_, latches, feedback_, target);
+    eval_dynamics(*tables_, t, y, y + n_free_, latched, feedback_, target);
     std::copy_n(target.equations.begin(), n_free_, acceleration_.begin());
     rates[side] = find_argument_rate(t, y, target);
   }
   const double off = find_argument(t, y, y + n_free_, target);
   held.share = (rates[0] + off / (kReturnShare * time_scale)) / (rates[0] - rates[1]);
-  eval_dynamics(*tables_, t, y, y + n_free_, latches, feedback_, target);
+  eval_dynamics(*tables_, t, y, y + n_free_, latched, feedback_, target);
 }
 
 double MotionEquations::find_argument(double t, const double* q, const double* v, Workspace& target) noexcept {

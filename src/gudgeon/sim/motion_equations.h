@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "gudgeon/system/body_motion.h"
@@ -59,7 +60,6 @@ class MotionEquations {
 
   [[nodiscard]] const Tables& tables() const { return *tables_; }
   [[nodiscard]] std::size_t n_free() const { return n_free_; }
-  [[nodiscard]] Feedback feedback() const { return feedback_; }
   /// Coordinates, rates and bristles: what the motion depends on; the integrals begin behind them.
   [[nodiscard]] std::size_t n_states() const { return 2 * n_free_ + n_bristles_; }
   [[nodiscard]] std::size_t size() const { return n_states() + kEnergyIntegrals; }
@@ -82,12 +82,14 @@ class MotionEquations {
   }
 
   /// Evaluates any workspace with the pieces that it holds of the loads' formulas.
-  void eval_in(double t, const double* y, Workspace& target) noexcept {
+  void eval_in(double t, const double* y, Workspace& target) noexcept { eval_in(t, y, latches, target); }
+  /// The same with contacts latched as they were at that time.
+  void eval_in(double t, const double* y, std::span<const ContactLatch> latched, Workspace& target) noexcept {
     load_bristles(y, target);
     if (target.loads.held.surface >= 0) {
-      eval_sliding(t, y, target);
+      eval_sliding(t, y, latched, target);
     } else {
-      eval_dynamics(*tables_, t, y, y + n_free_, latches, feedback_, target);
+      eval_dynamics(*tables_, t, y, y + n_free_, latched, feedback_, target);
     }
   }
 
@@ -157,7 +159,7 @@ class MotionEquations {
   double time_scale = 1.0;      ///< [s] of a cycle
 
  private:
-  void eval_sliding(double t, const double* y, Workspace& target) noexcept;
+  void eval_sliding(double t, const double* y, std::span<const ContactLatch> latched, Workspace& target) noexcept;
   double find_argument(double t, const double* q, const double* v, Workspace& target) noexcept;
   double find_argument_rate(double t, const double* y, Workspace& target) noexcept;
 

@@ -8,8 +8,7 @@
 
 namespace gudgeon {
 
-PeakWatch::PeakWatch(const System& system, const MotionEquations& equations, StageRecorder& recorder,
-                     ContactHistory& history)
+PeakWatch::PeakWatch(const System& system, MotionEquations& equations, StageRecorder& recorder, ContactHistory& history)
     : system_(system),
       equations_(equations),
       recorder_(recorder),
@@ -99,11 +98,9 @@ void PeakWatch::look_into_short_contacts(const MotionIntegrator& motion) {
 }
 
 void PeakWatch::eval(double time, const std::vector<ContactLatch>& latches) {
-  equations_.load_bristles(y_.data(), scratch_);
   scratch_.fit(system_.tables);
   scratch_.loads.held = equations_.workspace.loads.held;  // the same in all steps since the watch began
-  eval_dynamics(system_.tables, time, y_.data(), y_.data() + equations_.n_free(), latches, equations_.feedback(),
-                scratch_);
+  equations_.eval_in(time, y_.data(), latches, scratch_);
 }
 
 void PeakWatch::measure(double time, std::span<double> row) {

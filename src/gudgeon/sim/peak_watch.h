@@ -18,7 +18,7 @@ namespace gudgeon {
 /// the last two steps, the equations are evaluated there, at states of the steps' polynomials.
 class PeakWatch {
  public:
-  PeakWatch(const System& system, const MotionEquations& equations, StageRecorder& recorder, ContactHistory& history);
+  PeakWatch(const System& system, MotionEquations& equations, StageRecorder& recorder, ContactHistory& history);
   PeakWatch(const PeakWatch&) = delete;  // its search calls back
   PeakWatch& operator=(const PeakWatch&) = delete;
 
@@ -37,7 +37,7 @@ class PeakWatch {
   void read_row(const Workspace& workspace, const std::vector<ContactLatch>& latches, std::span<double> row);
 
   const System& system_;
-  const MotionEquations& equations_;  // of the motion
+  MotionEquations& equations_;  // of the motion
   StageRecorder& recorder_;
   ContactHistory& history_;
   StepHistory steps_;
