@@ -21,8 +21,9 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-StageRecord run(const Mechanism& mechanism, double cycle_time) {
+StageRecord run(const Mechanism& mechanism, double cycle_time, double tolerance = 1e-6) {
   Study study;
+  study.relative_tolerance = tolerance;
   study.cycles = 1;
   study.outputs_per_cycle = 100;
   const Assembly assembly = assemble(mechanism);
@@ -57,6 +58,25 @@ TEST(StageFailure, ALoopThatCannotCloseFailsAndKeepsTheWayThere) {
   }
   EXPECT_EQ(stage.statistics.size(), stage.channels.size());
   EXPECT_TRUE(std::isfinite(stage.ledger.residual()));
+}
+
+// A crank turns the end of a bar up, whose other end lies in a slot: the bar stands across the slot and is to go on.
+// Nothing but the way to the singular position holds steps short then.
+TEST(StageFailure, ADriverThatAsksBeyondAReachIsToldWithinFewSteps) {
+  for (const double speed : {1.0, 3.0, 4.225, 11.0}) {
+    Mechanism mechanism = oracle::make_empty("reach", oracle::kObliqueGravity, {{"pivot", {0, 0}}, {"slot", {0.3, 0}}});
+    mechanism.bodies.push_back(oracle::make_slender("crank", 0.3, 1.0, {}));
+    mechanism.bodies.push_back(oracle::make_slender("bar", 0.2, 1.0, oracle::start_at(-0.3)));
+    oracle::add_revolute(mechanism, "foot", {kFrameName, "pivot"}, {"crank", "a"});
+    oracle::add_revolute(mechanism, "elbow", {"crank", "b"}, {"bar", "a"});
+    mechanism.joints.push_back({"end", PinInSlot{{kFrameName, "slot"}, {"bar", "b"}, 0.0}});
+    mechanism.drivers.push_back({"motor", DrivenAngle{"crank"}, 0.2, speed});
+    const StageRecord stage = run(mechanism, 1.0, 1e-9);
+    EXPECT_EQ(stage.status, StageStatus::failed);
+    EXPECT_THAT(stage.message, AllOf(HasSubstr("E-NUM-003: stopped at t = "), HasSubstr("a driver may ask")));
+    EXPECT_NEAR(stage.end_time, (std::asin(2.0 / 3.0) - 0.2) / speed, 1e-6);
+    EXPECT_LT(stage.solver.evaluations, 100'000);
+  }
 }
 
 TEST(StageFailure, AJournalThatStartsInsideItsBearingIsTold) {

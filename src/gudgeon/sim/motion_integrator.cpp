@@ -165,7 +165,8 @@ bool MotionIntegrator::advance(double milestone) {
   if (changing_contact_) turn_latch(*std::exchange(changing_contact_, std::nullopt));
   if (changes_piece_) return change_pieces();
   if (pass_singular_position(milestone)) return true;
-  const double longest = std::min(longest_step_, passage_.find_longest_step());
+  // Steps that are kept to a share of the way to a singular position end on it: time has to go on.
+  const double longest = std::min(longest_step_, std::max(passage_.find_longest_step(), find_smallest_step()));
   const double wanted = stepper_->next_step();
   if (!breaks_.empty()) milestone = std::min(milestone, next_point_);
   stepper_->begin(time_, y_, slope_, std::exchange(continues_, true));
