@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/oracle/mechanism_parts.h"
 #include "tests/oracle/mechanisms.h"
 
@@ -73,6 +75,34 @@ TEST(Mobility, SecondGuideOnOneLineIsRedundantInAngleAndLine) {
   EXPECT_EQ(mobility.n_degrees_of_freedom, 1);
   EXPECT_THAT(mobility.redundant_constraints,
               ElementsAre(AllOf(HasSubstr("'two'"), HasSubstr("angle")), AllOf(HasSubstr("'two'"), HasSubstr("line"))));
+}
+
+// The rows of the second guide are nothing but rounding, and there are no others to see that by.
+TEST(Mobility, SecondGuideOnASwingingArmHoldsNothing) {
+  for (int k = 0; k < 30; ++k) {
+    const double direction = 0.1 + 0.2 * k;
+    const double turn = 2.7 - 0.31 * k;  // of the block against the arm
+    const Vec2 along{std::cos(direction), std::sin(direction)};
+    const auto to_block = [&](Vec2 p) { return make_rotation(-turn) * (p + 0.05 * along); };
+    const Vec2 near{-0.386, 0.069};
+    const Vec2 far{-0.536, 0.091};
+    Mechanism mechanism = oracle::make_empty("arm", oracle::kObliqueGravity, {{"pivot", {-0.072, 0.373}}});
+    mechanism.bodies.push_back({"arm",
+                                0.5,
+                                4e-3,
+                                {0.07, -0.05},
+                                {{"eye", {0.1, -0.1}}, {"near", near}, {"far", far}},
+                                oracle::start_turning(-0.65, 1.0)});
+    mechanism.bodies.push_back(
+        {"block", 0.6, 0.015, {0.05, -0.03}, {{"near", to_block(near)}, {"far", to_block(far)}}, {}});
+    oracle::add_revolute(mechanism, "pivot", {kFrameName, "pivot"}, {"arm", "eye"});
+    mechanism.joints.push_back({"one", oracle::make_slide({"arm", "near"}, {"block", "near"}, direction, turn, 0.05)});
+    mechanism.joints.push_back({"two", oracle::make_slide({"arm", "far"}, {"block", "far"}, direction, turn, 0.05)});
+    const Mobility mobility = find_mobility(mechanism);
+    EXPECT_EQ(mobility.n_degrees_of_freedom, 2) << k;
+    EXPECT_EQ(mobility.n_redundant_rows, 2) << k;
+    EXPECT_FALSE(mobility.singular_start) << k;
+  }
 }
 
 TEST(Mobility, FourBarsInOneLineStartSingular) {

@@ -14,6 +14,30 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+// What is left of terms of that size by less than this is their rounding: guides beside one another have rows of it.
+constexpr double kRounding = 1e-13;
+
+// Sizes of the terms that a closure's entries are sums of: of turns [m] and of displacements [1].
+struct TermSizes {
+  double turns = 0.0;
+  double slides = 0.0;
+};
+
+TermSizes find_term_sizes(const Tables& tables, const Coordinates& at, const ClosureRows& rows) {
+  if (rows.kind == ClosureKind::angle) return {1.0, 0.0};
+  TermSizes sizes;
+  for (int t = rows.first_term; t < rows.end_term; ++t) {
+    const ClosureTerm& term = tables.closure_terms[t];
+    sizes.turns += std::abs(at.slide[term.slide]) * norm(term.vector);
+    sizes.slides += norm(term.vector);
+  }
+  return sizes;
+}
+
+}  // namespace
+
 SparseMatrix find_sparse_jacobian(const Tables& tables, const Coordinates& coordinates) {
   std::vector<Eigen::Triplet<double>> entries;
   const int n_free = tables.counts.n_free();
@@ -24,6 +48,15 @@ SparseMatrix find_sparse_jacobian(const Tables& tables, const Coordinates& coord
   }
   SparseMatrix jacobian(2 * static_cast<Index>(tables.closures.size()), n_free);
   jacobian.setFromTriplets(entries.begin(), entries.end());
+  std::vector<TermSizes> sizes;
+  for (const ClosureRows& rows : tables.closures) sizes.push_back(find_term_sizes(tables, coordinates, rows));
+  for (Index column = 0; column < jacobian.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator entry(jacobian, column); entry; ++entry) {
+      const TermSizes& size = sizes[static_cast<std::size_t>(entry.row() / 2)];
+      const double terms = column < tables.counts.n_free_turns ? size.turns : size.slides;
+      if (std::abs(entry.value()) <= kRounding * terms) entry.valueRef() = 0.0;
+    }
+  }
   return jacobian;
 }
 

@@ -13,7 +13,8 @@ namespace gudgeon {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// As find_closure_jacobian(), sparse. Entries that may vary are kept where they are zero: the pattern stays.
+/// As find_closure_jacobian(), sparse. Entries that may vary are kept where they are zero: the pattern stays. What is
+/// only rounding of the terms that an entry is the sum of is zero.
 SparseMatrix find_sparse_jacobian(const Tables& tables, const Coordinates& coordinates);
 
 /// The length of the longest row of a matrix.
