@@ -5,6 +5,7 @@
 #include "gudgeon/base/formula_breaks.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -76,10 +77,35 @@ std::size_t find_right_end(const Tokens& tokens, std::size_t comparison) {
   return end;
 }
 
-// As it is told to people, or, without spaces, to the parser: it takes none before a function's parenthesis.
-std::string join(const Tokens& tokens, std::size_t from, std::size_t to, const char* between = " ") {
+// As the parser is told it: it takes no space before a function's parenthesis.
+std::string join(const Tokens& tokens) {
   std::string text;
-  for (std::size_t k = from; k < to; ++k) text += (k > from ? between : "") + tokens[k];
+  for (const std::string& token : tokens) text += token;
+  return text;
+}
+
+bool is_name(const std::string& token) {
+  const auto first = static_cast<unsigned char>(token.front());
+  return std::isalpha(first) != 0 || first == '_' || first >= 0x80;
+}
+
+// As it is told to people, functions by their own names.
+std::string spell(const Tokens& tokens, std::size_t from, std::size_t to, const std::vector<FormulaBreak>& breaks) {
+  const auto find_name = [&](const std::string& token) {
+    for (const FormulaBreak& one : breaks) {
+      for (const auto& [name, kind] : kFunctions) {
+        if (token == one.name && kind == one.kind) return std::string(name);
+      }
+    }
+    return token;
+  };
+  std::string text;
+  for (std::size_t k = from; k < to; ++k) {
+    const std::string& token = tokens[k];
+    const bool joins = k == from || token == ")" || token == "," || tokens[k - 1] == "(" ||
+                       (token == "(" && is_name(tokens[k - 1]));
+    text += (joins ? "" : " ") + find_name(token);
+  }
   return text;
 }
 
@@ -90,7 +116,7 @@ void mark_comparisons(Tokens& tokens, std::vector<FormulaBreak>& breaks) {
     if (!kind) continue;
     const std::size_t start = find_left_start(tokens, at);
     const std::size_t end = find_right_end(tokens, at);
-    breaks.push_back({*kind, "__break_" + std::to_string(breaks.size()), join(tokens, start, end)});
+    breaks.push_back({*kind, "__break_" + std::to_string(breaks.size()), spell(tokens, start, end, breaks)});
     tokens[at] = ",";
     tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(end), ")");
     tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(start), {breaks.back().name, "("});
@@ -108,7 +134,7 @@ void mark_functions(Tokens& tokens, std::vector<FormulaBreak>& breaks) {
       depth += tokens[end] == "(" ? 1 : tokens[end] == ")" ? -1 : 0;
       ++end;
     } while (depth > 0 && end < tokens.size());
-    breaks.push_back({*kind, "__break_" + std::to_string(breaks.size()), join(tokens, at, end)});
+    breaks.push_back({*kind, "__break_" + std::to_string(breaks.size()), spell(tokens, at, end, breaks)});
     tokens[at] = breaks.back().name;
   }
 }
@@ -261,7 +287,7 @@ MarkedFormula mark_breaks(const std::string& text) {
   Tokens tokens = split(text);
   mark_functions(tokens, marked.breaks);
   mark_comparisons(tokens, marked.breaks);
-  marked.text = join(tokens, 0, tokens.size(), "");
+  marked.text = join(tokens);
   return marked;
 }
 

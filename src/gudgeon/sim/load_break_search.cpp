@@ -57,8 +57,8 @@ double LoadBreaks::refine(std::size_t k, double inside, double outside, const De
   const double b = excess(outside);
   if (!(a < 0.0 && b > 0.0)) return b > 0.0 ? inside : outside;
   std::uintmax_t most = 60;
-  const auto bracket = boost::math::tools::toms748_solve(excess, inside, outside, a, b,
-                                                         boost::math::tools::eps_tolerance<double>(kCrossingBits), most);
+  const auto bracket = boost::math::tools::toms748_solve(
+      excess, inside, outside, a, b, boost::math::tools::eps_tolerance<double>(kCrossingBits), most);
   return 0.5 * (bracket.first + bracket.second);
 }
 
@@ -122,6 +122,7 @@ std::optional<LoadBreaks::Leave> LoadBreaks::find_first_leave(const DenseStep& s
     if (share && (!first || *share < first->share)) first = Leave{k, *share, 0.0};
   }
   if (!first) return std::nullopt;
+  last_left_ = first->watched;
   const double from = std::max(0.0, first->share - kRateShare);
   const double to = std::min(1.0, first->share + kRateShare);
   const double rise = look_at(first->watched, to, step, equations) - look_at(first->watched, from, step, equations);

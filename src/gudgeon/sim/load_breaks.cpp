@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is watched, which pieces are held, and when a motion slides between two of them.
+// What is watched, how long pieces are held, and what is told where none can be.
 #include "gudgeon/sim/load_breaks.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,14 +26,13 @@ constexpr double kRoundings = 8.0;
 constexpr double kWindowsAhead = 4.0;
 constexpr double kFarther = 10.0;
 constexpr int kMostStalls = 6;
-// Where so many changes in a row fall within this share of a cycle, as about a speed that comes to rest under a force
-// that vanishes with it, nothing is held for a while, and the step control sees what there is to see; for longer each
-// time that follows on the last.
+// Where many changes in a row fall within this share of a cycle, or some that take so many evaluations, as about a
+// speed that comes to rest under a force that vanishes with it, nothing is held for a while, and the step control sees
+// what there is to see; for longer each time that follows on the last.
 constexpr double kCrowdShare = 1e-6;
+constexpr std::int64_t kCrowdEvaluations = 1000;
 constexpr double kFirstReleaseShare = 1e-3;
 constexpr double kLongestReleaseShare = 0.1;
-// Of two breaks that change together, the second stays on its break, too, where it moves this much slower.
-constexpr double kStaysOn = 1e-3;
 
 }  // namespace
 
@@ -46,8 +47,17 @@ LoadBreaks::LoadBreaks(const System& system, double cycle_time, SolverStatistics
                 0.0);
   for (Pieces& pieces : tried_) pieces.assign(scratch_.loads.breaks.size(), kFreePiece);
   next_ = tried_.front();
+  for (std::size_t f = 0; f < scratch_.loads.evaluators.size(); ++f) {
+    formula_of_.insert(formula_of_.end(), scratch_.loads.evaluators[f].breaks().size(), f);
+  }
+  turned_.reserve(formula_of_.size());
+  turned_formulas_.reserve(scratch_.loads.evaluators.size());
+  turned_rates_.assign((scratch_.loads.evaluators.size() + 1) * formula_of_.size(), 0.0);
+  reach_.assign(formula_of_.size(), kInfinity);
+  is_restless_.assign(formula_of_.size(), 0);
+  is_decided_ = is_restless_;
   later_slope_ = state_;
-  recent_.fill(-kInfinity);
+  recent_.fill({-kInfinity, 0});
   released_until_ = -kInfinity;
   last_ = scratch_.loads.held;
 }
@@ -63,8 +73,11 @@ void LoadBreaks::watch_loads(const System& system) {
   for (std::size_t k = 0; k < scratch_.loads.breaks.size(); ++k) {
     watched_.push_back({Kind::formula, k, -kInfinity, kInfinity});
   }
-  if (!watched_.empty()) watched_.push_back({Kind::share, 0, -kInfinity, kInfinity});
-  const auto watch = [&](const LoadFunction& function) {
+  const std::size_t n_formulas = watched_.empty() ? 0 : scratch_.loads.evaluators.size();
+  for (std::size_t k = 0; k < std::min<std::size_t>(n_formulas, MotionEquations::kMostSlides); ++k) {
+    watched_.push_back({Kind::share, k, -kInfinity, kInfinity});
+  }
+  const auto watch = [&](const LoadFunction& function, int load) {
     if (function.curve < 0) return;
     const Curve& curve = loads.curves[static_cast<std::size_t>(function.curve)];
     if (loads.channels[static_cast<std::size_t>(function.channel)].quantity == StateChannel::Quantity::time) {
@@ -72,10 +85,10 @@ void LoadBreaks::watch_loads(const System& system) {
       return;
     }
     watched_.push_back({Kind::curve, curves_.size(), -kInfinity, kInfinity});
-    curves_.push_back({&curve, function.channel});
+    curves_.push_back({&curve, function.channel, load});
   };
-  for (const ForceLoad& force : loads.forces) watch(force.x), watch(force.y);
-  for (const TorqueLoad& torque : loads.torques) watch(torque.torque);
+  for (const ForceLoad& force : loads.forces) watch(force.x, force.load), watch(force.y, force.load);
+  for (const TorqueLoad& torque : loads.torques) watch(torque.torque, torque.load);
 }
 
 void LoadBreaks::watch_motions(const System& system) {
@@ -89,7 +102,7 @@ void LoadBreaks::watch_motions(const System& system) {
         watched_.push_back({Kind::motion, first + k, -kInfinity, kInfinity});
       }
       motion_states_.resize(first + evaluator.breaks().size());
-      motions_.push_back({std::move(evaluator), first});
+      motions_.push_back({std::move(evaluator), first, driven.driver});
     }
   }
   motion_pieces_.assign(motion_states_.size(), kFreePiece);
@@ -113,6 +126,7 @@ bool LoadBreaks::hold(double t, const std::vector<double>& y, std::vector<double
   ahead_ = kWindowsAhead * find_window(t) * std::pow(kFarther, n_stalls_);
   ++n_changes_;
   has_changed_ = false;
+  if (n_stalls_ == 0) std::ranges::fill(is_restless_, 0);
   if (n_stalls_ > kMostStalls) return false;
   if (is_crowded(t)) {
     release(t, y, slope, equations);
@@ -121,10 +135,13 @@ bool LoadBreaks::hold(double t, const std::vector<double>& y, std::vector<double
   if (!scratch_.loads.breaks.empty()) {
     const HeldPieces& held = equations.workspace.loads.held;
     last_ = held;
-    const bool slides = held.surface >= 0;
-    if (!(slides && leave_slide(t, y, slope, equations)) && !choose_pieces(t, y, slope, equations)) return false;
+    const bool is_found = choose_pieces(t, y, slope, equations);
+    for (std::size_t k = 0; k < is_restless_.size(); ++k) {
+      if (held.pieces[k] != last_.pieces[k] || held.others[k] != last_.others[k]) is_restless_[k] = 1;
+    }
+    if (!is_found) return false;
     eval(t, y, slope, equations);
-    has_changed_ = held.surface != last_.surface || held.pieces != last_.pieces || held.others != last_.others;
+    has_changed_ = held.n_slides != last_.n_slides || held.pieces != last_.pieces || held.others != last_.others;
   }
   bound_pieces(t, y, slope, equations);
   return true;
@@ -132,9 +149,13 @@ bool LoadBreaks::hold(double t, const std::vector<double>& y, std::vector<double
 
 // Whether changes follow each other closely; notes this one.
 bool LoadBreaks::is_crowded(double t) noexcept {
-  double& oldest = recent_[static_cast<std::size_t>(n_changes_) % recent_.size()];
-  const bool crowded = t - oldest < kCrowdShare * cycle_time_;
-  oldest = t;
+  const double since = t - kCrowdShare * cycle_time_;
+  Change& oldest = recent_[static_cast<std::size_t>(n_changes_) % recent_.size()];
+  bool crowded = oldest.time > since;
+  for (const Change& change : recent_) {
+    crowded = crowded || (change.time > since && statistics_->evaluations - change.evaluations > kCrowdEvaluations);
+  }
+  oldest = {t, statistics_->evaluations};
   return crowded;
 }
 
@@ -144,114 +165,16 @@ void LoadBreaks::release(double t, const std::vector<double>& y, std::vector<dou
   const bool follows = t - released_until_ < release_;
   release_ = follows ? std::min(2.0 * release_, kLongestReleaseShare * cycle_time_) : kFirstReleaseShare * cycle_time_;
   released_until_ = t + release_;
-  recent_.fill(-kInfinity);
+  recent_.fill({-kInfinity, 0});
   HeldPieces& held = equations.workspace.loads.held;
   std::ranges::fill(held.pieces, kFreePiece);
   std::ranges::fill(held.others, kFreePiece);
-  held.surface = -1;
-  held.share = 0.0;
+  held.stop_slides();
+  std::ranges::fill(reach_, kInfinity);
   for (Watched& watched : watched_) watched.low = -kInfinity, watched.high = kInfinity;
   is_searched_ = false;
   has_changed_ = true;
   eval(t, y, slope, equations);
-}
-
-void LoadBreaks::move_ahead(const std::vector<double>& y, const std::vector<double>& slope) noexcept {
-  for (std::size_t i = 0; i < state_.size(); ++i) state_[i] = y[i] + ahead_ * slope[i];
-}
-
-// The pieces that all arguments are in a little ahead.
-void LoadBreaks::read_pieces(double t, const std::vector<double>& y, const std::vector<double>& slope,
-                             MotionEquations& equations, Pieces& pieces) noexcept {
-  HeldPieces& held = scratch_.loads.held;
-  std::ranges::fill(held.pieces, kFreePiece);
-  held.surface = -1;
-  held.share = 0.0;
-  move_ahead(y, slope);
-  if (n_stalls_ > 0) {  // from rest only the slope there tells where it goes
-    eval(t + ahead_, state_, later_slope_, equations);
-    move_ahead(y, later_slope_);
-  }
-  measure(t + ahead_, state_.data(), equations);
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const BreakState& state = scratch_.loads.breaks[k];
-    pieces[k] = state.met ? state.piece : kFreePiece;
-  }
-}
-
-// Each choice of pieces moves the motion somewhere: a choice is right when it moves into the pieces it is made of.
-bool LoadBreaks::choose_pieces(double t, const std::vector<double>& y, std::vector<double>& slope,
-                               MotionEquations& equations) {
-  HeldPieces& held = equations.workspace.loads.held;
-  read_pieces(t, y, slope, equations, tried_[0]);
-  for (int k = 0; k < kMostTries; ++k) {
-    held.pieces = held.others = tried_[k];
-    held.surface = -1;
-    held.share = 0.0;
-    eval(t, y, slope, equations);
-    read_pieces(t, y, slope, equations, next_);
-    if (next_ == tried_[k]) return true;
-    if (k > 0 && next_ == tried_[k - 1]) return begin_slide(t, y, slope, equations, tried_[k - 1], tried_[k]);
-    tried_[k + 1] = next_;
-  }
-  stalled_ = static_cast<std::size_t>(std::ranges::mismatch(tried_[kMostTries], tried_[kMostTries - 1]).in1 -
-                                      tried_[kMostTries].begin());
-  return false;
-}
-
-// Both choices move the motion into the other: it stays between.
-bool LoadBreaks::begin_slide(double t, const std::vector<double>& y, std::vector<double>& slope,
-                             MotionEquations& equations, const Pieces& one, const Pieces& other) {
-  HeldPieces& held = equations.workspace.loads.held;
-  held.pieces = one;
-  held.others = other;
-  const auto first = std::ranges::mismatch(one, other).in1;
-  stalled_ = static_cast<std::size_t>(first - one.begin());
-  held.surface = static_cast<int>(stalled_);
-  if (one[stalled_] == kFreePiece || other[stalled_] == kFreePiece) return false;
-  // What changes together must stay together: how far each argument gets ahead on one side, and between both.
-  const auto find_way = [&](std::size_t k) {
-    scratch_.loads.held = equations.workspace.loads.held;
-    scratch_.loads.held.surface = -1;
-    measure(t, y.data(), equations);
-    const double here = scratch_.loads.breaks[k].argument;
-    move_ahead(y, slope);
-    measure(t + ahead_, state_.data(), equations);
-    return std::abs(scratch_.loads.breaks[k].argument - here);
-  };
-  for (std::size_t k = stalled_; k < one.size(); ++k) {
-    if (one[k] == other[k]) continue;
-    held.surface = -1;
-    held.share = 0.0;
-    eval(t, y, slope, equations);
-    const double alone = find_way(k);
-    held.surface = static_cast<int>(stalled_);
-    eval(t, y, slope, equations);
-    if (!(find_way(k) <= kStaysOn * alone)) return false;
-  }
-  const double share = held.share;
-  return share >= 0.0 && share <= 1.0;
-}
-
-// What a motion that slides does at this state: true when it goes on in one piece or between the same two.
-bool LoadBreaks::leave_slide(double t, const std::vector<double>& y, std::vector<double>& slope,
-                             MotionEquations& equations) {
-  HeldPieces& held = equations.workspace.loads.held;
-  read_pieces(t, y, slope, equations, next_);
-  bool others_change = false;
-  for (std::size_t k = 0; k < next_.size(); ++k) {
-    if (held.pieces[k] != held.others[k] || next_[k] == held.pieces[k]) continue;
-    held.pieces[k] = held.others[k] = next_[k];
-    others_change = true;
-  }
-  eval(t, y, slope, equations);
-  const double share = held.share;
-  if (share > 0.0 && share < 1.0) return true;
-  (share > 0.5 ? held.pieces : held.others) = share > 0.5 ? held.others : held.pieces;
-  held.surface = -1;
-  held.share = 0.0;
-  eval(t, y, slope, equations);
-  return !others_change;
 }
 
 // Between which values each argument may go on.
@@ -260,8 +183,7 @@ void LoadBreaks::bound_pieces(double t, const std::vector<double>& y, const std:
   const HeldPieces& held = equations.workspace.loads.held;
   HeldPieces& looked = scratch_.loads.held;
   looked = held;
-  looked.surface = -1;
-  looked.share = 0.0;
+  looked.stop_slides();
   std::ranges::fill(motion_pieces_, kFreePiece);
   move_ahead(y, slope);
   measure(t + ahead_, state_.data(), equations);
@@ -273,7 +195,8 @@ void LoadBreaks::bound_pieces(double t, const std::vector<double>& y, const std:
     watched.high = kInfinity;
     if (watched.kind == Kind::formula) {
       const BreakState& state = scratch_.loads.breaks[watched.index];
-      const bool slides = held.surface >= 0 && held.pieces[watched.index] != held.others[watched.index];
+      const bool slides = held.pieces[watched.index] != held.others[watched.index];
+      if (slides) watched.low = -reach_[watched.index], watched.high = reach_[watched.index];
       if (state.met && !slides) watched.low = state.low, watched.high = state.high;
     } else if (watched.kind == Kind::motion) {
       const BreakState& state = motion_states_[watched.index];
@@ -281,7 +204,7 @@ void LoadBreaks::bound_pieces(double t, const std::vector<double>& y, const std:
       if (state.met) watched.low = state.low, watched.high = state.high;
     } else if (watched.kind == Kind::curve) {
       std::tie(watched.low, watched.high) = curves_[watched.index].curve->find_piece(arguments_[k]);
-    } else if (held.surface >= 0) {
+    } else if (static_cast<int>(watched.index) < held.n_slides) {
       watched.low = 0.0, watched.high = 1.0;
     }
     is_searched_ = is_searched_ || std::isfinite(watched.low) || std::isfinite(watched.high);
@@ -290,7 +213,7 @@ void LoadBreaks::bound_pieces(double t, const std::vector<double>& y, const std:
 
 // All arguments at a state.
 void LoadBreaks::measure(double t, const double* y, MotionEquations& equations) noexcept {
-  if (scratch_.loads.held.surface >= 0) {
+  if (scratch_.loads.held.n_slides > 0) {
     equations.eval_in(t, y, scratch_);
   } else {
     update_coordinates(system_->tables, t, y, y + equations.n_free(), scratch_.coordinates);
@@ -315,32 +238,51 @@ void LoadBreaks::measure(double t, const double* y, MotionEquations& equations) 
         arguments_[k] = scratch_.loads.channel_values[static_cast<std::size_t>(curves_[watched.index].channel)];
         break;
       case Kind::share:
-        arguments_[k] = scratch_.loads.held.share;
+        arguments_[k] = scratch_.loads.held.find_share(static_cast<int>(watched.index));
         break;
     }
   }
 }
 
 LoadBreaks::Stall LoadBreaks::find_stall() const {
+  Stall stall;
+  for (std::size_t k = 0; k < is_restless_.size(); ++k) {
+    if (is_restless_[k] != 0) stall.places.push_back(describe(k));
+  }
+  if (!stall.places.empty()) return stall;
+  const Watched& watched = watched_[last_left_];
+  const Mechanism& mechanism = system_->mechanism;
+  if (watched.kind == Kind::formula) {
+    stall.places.push_back(describe(watched.index));
+  } else if (watched.kind == Kind::curve) {
+    const WatchedCurve& curve = curves_[watched.index];
+    stall.places.push_back(
+        {fmt::format("load '{}'", mechanism.loads[static_cast<std::size_t>(curve.load)].name),
+         "a point of its curve over " + system_->tables.loads.channel_names[static_cast<std::size_t>(curve.channel)]});
+  } else if (watched.kind == Kind::motion) {
+    const auto behind =
+        std::ranges::find_if(motions_, [&](const WatchedMotion& motion) { return motion.first_break > watched.index; });
+    const WatchedMotion& motion = *std::prev(behind);
+    stall.places.push_back({fmt::format("driver '{}'", mechanism.drivers[static_cast<std::size_t>(motion.driver)].name),
+                            motion.evaluator.breaks()[watched.index - motion.first_break].text});
+  }
+  return stall;
+}
+
+// A break of a load's formula, and whose it is.
+LoadBreaks::Stall::Place LoadBreaks::describe(std::size_t at) const {
   const LoadTables& loads = system_->tables.loads;
-  const auto holds = [&](const LoadFunction& function) {
-    if (function.expression < 0) return false;
-    const auto e = static_cast<std::size_t>(function.expression);
-    const std::size_t first = scratch_.loads.first_break[e];
-    return stalled_ >= first && stalled_ < first + scratch_.loads.evaluators[e].breaks().size();
-  };
-  const auto describe = [&](int load, const LoadFunction& function) {
-    const auto e = static_cast<std::size_t>(function.expression);
-    return Stall{load, scratch_.loads.evaluators[e].breaks()[stalled_ - scratch_.loads.first_break[e]].text};
-  };
+  const std::size_t formula = formula_of_[at];
+  const auto holds = [&](const LoadFunction& function) { return function.expression == static_cast<int>(formula); };
+  int load = -1;
   for (const ForceLoad& force : loads.forces) {
-    if (holds(force.x)) return describe(force.load, force.x);
-    if (holds(force.y)) return describe(force.load, force.y);
+    if (holds(force.x) || holds(force.y)) load = force.load;
   }
   for (const TorqueLoad& torque : loads.torques) {
-    if (holds(torque.torque)) return describe(torque.load, torque.torque);
+    if (holds(torque.torque)) load = torque.load;
   }
-  return {};
+  return {fmt::format("load '{}'", system_->mechanism.loads[static_cast<std::size_t>(load)].name),
+          scratch_.loads.evaluators[formula].breaks()[at - scratch_.loads.first_break[formula]].text};
 }
 
 }  // namespace gudgeon

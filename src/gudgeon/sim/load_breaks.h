@@ -53,10 +53,13 @@ class LoadBreaks {
   bool is_inside(double t, const std::vector<double>& y, MotionEquations& equations) noexcept;
 
   struct Stall {
-    int load = -1;
-    std::string text;  ///< of the break
+    struct Place {
+      std::string owner;  ///< "load 'rub'"
+      std::string text;   ///< of the break
+    };
+    std::vector<Place> places;
   };
-  /// Why hold() failed.
+  /// Why hold() failed: all breaks that it could not get past together.
   [[nodiscard]] Stall find_stall() const;
   /// How often pieces were chosen.
   [[nodiscard]] std::int64_t n_changes() const { return n_changes_; }
@@ -65,33 +68,49 @@ class LoadBreaks {
   enum class Kind { formula, curve, motion, share };
   struct Watched {
     Kind kind;
-    std::size_t index;  // of the break in LoadScratch::breaks, of the curve in curves_, of the break in motion_states_
+    std::size_t
+        index;  // of the break in LoadScratch::breaks, the curve in curves_, the break in motion_states_, the slide
     double low;
     double high;
   };
   struct WatchedCurve {
     const Curve* curve;
     int channel;
+    int load;
   };
   // A formula of a driver's motion: smooth to its second derivative, so it is watched and not held.
   struct WatchedMotion {
     ExpressionEvaluator evaluator;
     std::size_t first_break;
+    int driver;
+  };
+  struct Change {
+    double time;  // [s]
+    std::int64_t evaluations;
   };
   using Pieces = std::vector<int>;
 
   void eval(double t, const std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations) noexcept;
   void watch_loads(const System& system);
+  [[nodiscard]] Stall::Place describe(std::size_t at) const;
   void watch_motions(const System& system);
   bool is_crowded(double t) noexcept;
   void release(double t, const std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations) noexcept;
   void move_ahead(const std::vector<double>& y, const std::vector<double>& slope) noexcept;
   void read_pieces(double t, const std::vector<double>& y, const std::vector<double>& slope, MotionEquations& equations,
                    Pieces& pieces) noexcept;
-  bool leave_slide(double t, const std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations);
   bool choose_pieces(double t, const std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations);
-  bool begin_slide(double t, const std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations,
-                   const Pieces& one, const Pieces& other);
+  [[nodiscard]] bool agree(const Pieces& one, const Pieces& other, const HeldPieces& held) const noexcept;
+  bool end_slides(double t, const std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations,
+                  int n_new);
+  void end_slide(int slide, HeldPieces& held) noexcept;
+  bool begin_slides(double t, const std::vector<double>& y, std::vector<double>& slope, MotionEquations& equations,
+                    const Pieces& one, const Pieces& other);
+  [[nodiscard]] bool meets_others(const HeldPieces& held) const noexcept;
+  void forget_slides(HeldPieces& held) noexcept;
+  bool list_turned(const Pieces& one, const Pieces& other, const HeldPieces& held) noexcept;
+  bool join_slides(HeldPieces& held) noexcept;
+  [[nodiscard]] bool has_drifted(double t, const std::vector<double>& y, MotionEquations& equations) noexcept;
   void bound_pieces(double t, const std::vector<double>& y, const std::vector<double>& slope,
                     MotionEquations& equations) noexcept;
   void measure(double t, const double* y, MotionEquations& equations) noexcept;
@@ -103,7 +122,7 @@ class LoadBreaks {
   double refine(std::size_t k, double inside, double outside, const DenseStep& step, MotionEquations& equations);
 
   static constexpr int kParts = 8;
-  static constexpr int kMostTries = 6;
+  static constexpr int kMostTries = 12;
   static constexpr std::size_t kCrowd = 32;  // changes
 
   const System* system_;
@@ -123,14 +142,21 @@ class LoadBreaks {
   std::vector<double> later_slope_;
   std::array<Pieces, kMostTries + 1> tried_;
   Pieces next_;
-  HeldPieces last_;  // before the last hold()
+  HeldPieces last_;                      // before the last hold()
+  std::vector<std::size_t> formula_of_;  // of each break
+  std::vector<int> turned_;              // breaks whose pieces on both sides lead to each other
+  std::vector<int> turned_formulas_;     // those that hold them
+  std::vector<double> turned_rates_;  // of their arguments: all as they are, then with each formula on the other side
+  std::vector<double> reach_;         // of each break's argument while it is slid along with another
+  std::vector<char> is_restless_;     // breaks that went to other pieces while no time passed
+  std::vector<char> is_decided_;      // breaks whose slide has ended in the choice at hand
+  std::size_t last_left_ = 0;         // watched
   bool has_changed_ = false;
-  double ahead_ = 0.0;       // [s] how far ahead the piece that a motion goes into is read
-  double held_at_ = -1.0;    // [s] time of the last hold()
-  int n_stalls_ = 0;         // holds in a row between which no time passed
-  std::size_t stalled_ = 0;  // break
+  double ahead_ = 0.0;     // [s] how far ahead the piece that a motion goes into is read
+  double held_at_ = -1.0;  // [s] time of the last hold()
+  int n_stalls_ = 0;       // holds in a row between which no time passed
   std::int64_t n_changes_ = 0;
-  std::array<double, kCrowd> recent_;  // [s] times of the last changes
+  std::array<Change, kCrowd> recent_;  // the last ones
   double release_ = 0.0;               // [s] how long nothing was held the last time
   double released_until_;              // [s]
 };

@@ -86,7 +86,7 @@ class MotionEquations {
   /// The same with contacts latched as they were at that time.
   void eval_in(double t, const double* y, std::span<const ContactLatch> latched, Workspace& target) noexcept {
     load_bristles(y, target);
-    if (target.loads.held.surface >= 0) {
+    if (target.loads.held.n_slides > 0) {
       eval_sliding(t, y, latched, target);
     } else {
       eval_dynamics(*tables_, t, y, y + n_free_, latched, feedback_, target);
@@ -153,6 +153,14 @@ class MotionEquations {
             forces.gap.journal_depth};
   }
 
+  /// How fast the arguments of breaks of formulas change [1/s], with the accelerations that the workspace was last
+  /// evaluated with, at this state. It keeps no more than the pieces it holds.
+  void find_argument_rates(double t, const double* y, std::span<const int> breaks, Workspace& target,
+                           double* rates) noexcept;
+
+  /// A motion slides along so many breaks at once.
+  static constexpr int kMostSlides = 8;
+
   std::vector<ContactLatch> latches;
   Workspace workspace;
   double initial_energy = 0.0;  ///< [J] where the integrals are zero
@@ -160,8 +168,7 @@ class MotionEquations {
 
  private:
   void eval_sliding(double t, const double* y, std::span<const ContactLatch> latched, Workspace& target) noexcept;
-  double find_argument(double t, const double* q, const double* v, Workspace& target) noexcept;
-  double find_argument_rate(double t, const double* y, Workspace& target) noexcept;
+  void update_arguments(double t, const double* q, const double* v, Workspace& target) noexcept;
 
   const Tables* tables_;
   std::size_t n_free_;

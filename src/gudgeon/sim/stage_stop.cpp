@@ -18,14 +18,26 @@ void StageRun::fail_step() {
     if (!fail_at_law_end()) fail("E-NUM-003", fmt::format("step below {:.2g} s", motion_.find_smallest_step()));
     return;
   }
-  const auto& [load, text] = *motion_.stall();
+  constexpr std::size_t kFew = 4;
+  const auto& places = motion_.stall()->places;
+  std::string listed;
+  for (std::size_t k = 0; k < std::min(places.size(), kFew); ++k) {
+    listed += fmt::format("{}{} at \"{}\"",
+                          k == 0                   ? ""
+                          : k + 1 == places.size() ? " and "
+                                                   : ", ",
+                          places[k].owner, places[k].text);
+  }
+  if (places.size() > kFew) listed += fmt::format(" and {} more", places.size() - kFew);
   record_.status = StageStatus::failed;
   record_.message = fmt::format(
-      "E-NUM-006: stopped at t = {:.9g} s (cycle {}): load '{}' jumps back and forth at \"{}\": on each side it pushes "
-      "the mechanism to the other one, and no force between both holds it; let the load change gradually there, or "
-      "give joints the friction that is meant",
-      motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1,
-      load >= 0 ? system_.mechanism.loads[load].name : "?", text);
+      "E-NUM-006: stopped at t = {:.9g} s (cycle {}): {} {} back and forth: on each side the mechanism is pushed to "
+      "the "
+      "other one, and no force between both holds it; let the load change gradually there, or give joints the friction "
+      "that is meant{}",
+      motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1, listed,
+      places.size() == 1 ? "jumps" : "jump",
+      places.size() == 1 ? "" : "; jumps at different places need a formula each");
 }
 
 // What a mechanism does that goes on in ever shorter steps.

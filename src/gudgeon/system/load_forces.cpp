@@ -59,12 +59,13 @@ double eval_expression(std::size_t expression, LoadScratch& scratch) noexcept {
   if (evaluator.breaks().empty()) return evaluator.eval(values);
   const std::size_t first = scratch.first_break[expression];
   const HeldPieces& held = scratch.held;
+  const double share = held.shares[expression];
   double value = 0.0;
-  if (held.share != 0.0) {
-    value = held.share * evaluator.eval(values, held.others.data() + first, scratch.breaks.data() + first);
+  if (share != 0.0) {
+    value = share * evaluator.eval(values, held.others.data() + first, scratch.breaks.data() + first);
   }
-  if (held.share == 1.0) return value;
-  return value + (1.0 - held.share) * evaluator.eval(values, held.pieces.data() + first, scratch.breaks.data() + first);
+  if (share == 1.0) return value;
+  return value + (1.0 - share) * evaluator.eval(values, held.pieces.data() + first, scratch.breaks.data() + first);
 }
 
 double eval_function(const LoadTables& tables, const LoadFunction& function, LoadScratch& scratch) noexcept {

@@ -4,6 +4,7 @@
 // Loads that depend on the state, compiled: where they act, and where the numbers they depend on are found.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -120,12 +121,31 @@ struct LoadTables {
 };
 
 /// Which pieces of the formulas are in force, whatever their arguments are: one entry a break, formula after formula.
-/// Where a motion slides along a break, pushed back onto it from both sides, formulas are mixed of two lists.
+/// Where a motion slides along breaks, pushed back onto each from both sides, formulas are mixed of two lists.
 struct HeldPieces {
-  std::vector<int> pieces;  ///< kFreePiece where the argument decides
-  std::vector<int> others;  ///< those on the other side
-  double share = 0.0;       ///< of the others in the mixture [1]
-  int surface = -1;         ///< the break that is slid along; none without a mixture
+  std::vector<int> pieces;     ///< kFreePiece where the argument decides
+  std::vector<int> others;     ///< those on the other side
+  std::vector<double> shares;  ///< of the others in the mixture [1], one a formula
+  std::vector<int> slides;     ///< the slide that a formula is mixed for, one a formula; -1 without
+  std::vector<int> surfaces;   ///< the break that each slide goes along; the first n_slides are meant
+  int n_slides = 0;
+
+  /// Goes on without mixtures.
+  void stop_slides() noexcept {
+    std::ranges::fill(shares, 0.0);
+    std::ranges::fill(slides, -1);
+    n_slides = 0;
+  }
+  /// The share of one slide's other side.
+  void set_share(int slide, double share) noexcept {
+    for (std::size_t f = 0; f < slides.size(); ++f) {
+      if (slides[f] == slide) shares[f] = share;
+    }
+  }
+  [[nodiscard]] double find_share(int slide) const noexcept {
+    const auto formula = std::ranges::find(slides, slide);
+    return formula == slides.end() ? 0.0 : shares[static_cast<std::size_t>(formula - slides.begin())];
+  }
 };
 
 /// What an evaluation writes for the loads.
@@ -138,6 +158,9 @@ struct LoadScratch {
     }
     held.pieces.assign(breaks.size(), kFreePiece);
     held.others = held.pieces;
+    held.shares.assign(evaluators.size(), 0.0);
+    held.slides.assign(evaluators.size(), -1);
+    held.surfaces.assign(evaluators.size(), -1);
   }
 
   std::vector<double> channel_values;
