@@ -22,8 +22,8 @@ class ControlledStepper : public Stepper {
                     int n_stages, double first_step)
       : Stepper(equations, statistics, n_stages), control_(tolerance, first_step), shortest_for_works_(first_step) {}
 
-  /// Has the works of loads and drivers keep that relative tolerance, too.
-  void control_works(double relative_tolerance) { works_.emplace(relative_tolerance); }
+  /// Has the works of loads and drivers keep these tolerances, too.
+  void control_works(double relative, double absolute) { works_.emplace(relative, absolute); }
 
   bool attempt(double longest, double left) final {
     double h = std::min(control_.next_step(), longest);
@@ -71,7 +71,16 @@ class ControlledStepper : public Stepper {
       if (work == kDriverWork && !equations_.latches.empty()) continue;
       largest = std::max(largest, std::abs(find_error(first + static_cast<std::size_t>(work))));
     }
-    return works_->find_error(largest, find_exchanged(step.start), find_exchanged(step.end));
+    return works_->find_error(largest, find_exchanged(step.start), find_exchanged(step.end), find_largest_load());
+  }
+
+  // [N, N m] of the last evaluation
+  [[nodiscard]] double find_largest_load() const noexcept {
+    double largest = 0.0;
+    for (const LoadEffect& effect : equations_.workspace.loads.effects) {
+      largest = std::max({largest, std::abs(effect.force.x), std::abs(effect.force.y), std::abs(effect.torque)});
+    }
+    return largest;
   }
 
   StepControl control_;

@@ -82,8 +82,8 @@ MotionIntegrator::MotionIntegrator(const System& given, const Study& study, doub
   // Where loads are given, works are not known by the motion's own error; where all is driven, there is none.
   const LoadTables& loads = system_.tables.loads;
   if (!loads.expressions.empty() || !loads.curves.empty() || equations_.n_free() == 0) {
-    if (explicit_) explicit_->control_works(study.relative_tolerance);
-    if (implicit_) implicit_->control_works(study.relative_tolerance);
+    if (explicit_) explicit_->control_works(study.relative_tolerance, study.absolute_tolerance);
+    if (implicit_) implicit_->control_works(study.relative_tolerance, study.absolute_tolerance);
   }
 }
 
