@@ -13,9 +13,19 @@ namespace gudgeon {
 
 using ContactSurfaces = std::variant<RevoluteSurfaces, GuideSurfaces>;
 
+/// Writes all of the gap.
+inline void update_gap(const ContactSurfaces& surfaces, const RelativeMotion& motion, ContactGap& gap) noexcept {
+  if (const auto* revolute = std::get_if<RevoluteSurfaces>(&surfaces)) {
+    update_revolute_gap(*revolute, motion, gap);
+  } else {
+    gap = find_guide_gap(*std::get_if<GuideSurfaces>(&surfaces), motion);
+  }
+}
+
 inline ContactGap find_gap(const ContactSurfaces& surfaces, const RelativeMotion& motion) noexcept {
-  if (const auto* revolute = std::get_if<RevoluteSurfaces>(&surfaces)) return find_revolute_gap(*revolute, motion);
-  return find_guide_gap(*std::get_if<GuideSurfaces>(&surfaces), motion);
+  ContactGap gap;
+  update_gap(surfaces, motion, gap);
+  return gap;
 }
 
 inline bool is_worn(const ContactSurfaces& surfaces) {

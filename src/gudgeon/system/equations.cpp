@@ -80,7 +80,7 @@ void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, W
     if (!latches[k].in_contact) continue;
     const Contact& contact = tables.contacts[k];
     ws.contact_motions[k] = find_contact_motion(contact, ws);
-    ws.contact_forces[k].gap = find_gap(contact.surfaces, ws.contact_motions[k]);
+    update_gap(contact.surfaces, ws.contact_motions[k], ws.contact_forces[k].gap);
   }
   for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
     if (!latches[k].in_contact) continue;
