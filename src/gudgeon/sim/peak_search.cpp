@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -86,13 +87,27 @@ void PeakSearch::search() {
   const double after = points_[2].time - points_[1].time;
   const double reach_after = 0.25 * kDoubt * after / before;
   const double reach_before = 0.25 * kDoubt * before / after;
+  const double* greatest = greatest_.data();
+  const double* least = least_.data();
+  // Whether there may be one at all is found without branches, several signals at once.
+  std::int64_t any = 0;
+  for (std::size_t k = 0; k < n_signals_; ++k) {
+    const double rise = b[k] - a[k];
+    const double fall = b[k] - c[k];
+    const double gain_after = std::abs(rise) * reach_after;
+    const double gain_before = std::abs(fall) * reach_before;
+    const double gain = gain_after > gain_before ? gain_after : gain_before;
+    const bool is_out = (b[k] + gain > greatest[k]) | (b[k] - gain < least[k]);
+    any |= static_cast<std::int64_t>((rise * fall > 0.0) & is_out);
+  }
+  if (any == 0) return;
   for (std::size_t k = 0; k < n_signals_; ++k) {
     const double rise = b[k] - a[k];
     const double fall = b[k] - c[k];
     if (!(rise * fall > 0.0)) continue;
     const double reach =
         b[k] + std::copysign(std::max(std::abs(rise) * reach_after, std::abs(fall) * reach_before), rise);
-    if (reach > greatest_[k] || reach < least_[k]) refine(k, rise > 0.0 ? 1.0 : -1.0);
+    if (reach > greatest[k] || reach < least[k]) refine(k, rise > 0.0 ? 1.0 : -1.0);
   }
 }
 
