@@ -124,28 +124,38 @@ class ArcAccumulator {
   static constexpr double kLeastPath = 1e-3;  // widths
 
   // Raises all that lies behind a ramp by `sign` times each layer's amount. Returns the share of it that is reached at
-  // the seam.
+  // the seam. What is noted are the differences of the ramp's mean over each region; between its ends they are equal.
   static double add_ramp(const Ramp& ramp, double sign, std::span<const Layer> layers) noexcept {
     const std::size_t n = layers.front().surface->region_amounts_.size();
-    const double middle = 0.5 * (ramp.from + ramp.to);
-    const double half_slope = 0.5 / (ramp.to - ramp.from);
-    std::size_t at = static_cast<std::size_t>(ramp.from);
-    double end = static_cast<double>(at) + 1.0;  // of the region
-    double seam = at < n ? 1.0 : 0.0;
-    if (at >= n) at -= n;
-    double held = 0.0;    // integral of the ramp's share up to the region
-    double before = 0.0;  // mean share over the region before
-    while (end - 1.0 < ramp.to) {
-      const double next = end < ramp.to ? half_slope * (end - ramp.from) * (end - ramp.from) : end - middle;
-      const double share = next - held;
-      for (const Layer& layer : layers) layer.surface->differences_[at] += sign * layer.amount * (share - before);
-      before = share;
-      held = next;
-      end += 1.0;
-      if (++at == n) seam = before, at = 0;
+    const std::size_t first = static_cast<std::size_t>(ramp.from);
+    const std::size_t last = static_cast<std::size_t>(ramp.to);
+    const double begin = static_cast<double>(first);
+    const double end = static_cast<double>(last);
+    const bool is_within_one = first == last;
+    const double slope = is_within_one ? 0.0 : 1.0 / (ramp.to - ramp.from);
+    const auto find_inner = [&](double region) { return slope * (region + 0.5 - ramp.from); };
+    const double first_share = is_within_one ? begin + 1.0 - 0.5 * (ramp.from + ramp.to)
+                                             : 0.5 * slope * (begin + 1.0 - ramp.from) * (begin + 1.0 - ramp.from);
+    const double last_share = is_within_one ? first_share : 1.0 - 0.5 * slope * (ramp.to - end) * (ramp.to - end);
+    for (const Layer& layer : layers) {
+      double* differences = layer.surface->differences_.data();
+      const double amount = sign * layer.amount;
+      const auto wrap = [n](std::size_t region) { return region < n ? region : region - n; };
+      differences[wrap(first)] += amount * first_share;
+      if (last > first + 1) {
+        differences[wrap(first + 1)] += amount * (find_inner(begin + 1.0) - first_share);
+        const double step = amount * slope;
+        for (std::size_t k = first + 2; k < std::min(last, n); ++k) differences[k] += step;
+        for (std::size_t k = std::max(first + 2, n); k < last; ++k) differences[k - n] += step;
+        differences[wrap(last)] += amount * (last_share - find_inner(end - 1.0));
+      } else if (last > first) {
+        differences[wrap(last)] += amount * (last_share - first_share);
+      }
+      differences[wrap(last + 1)] += amount * (1.0 - last_share);
     }
-    for (const Layer& layer : layers) layer.surface->differences_[at] += sign * layer.amount * (1.0 - before);
-    return seam;
+    if (last + 1 < n) return 1.0;
+    if (first >= n) return 0.0;
+    return last + 1 == n ? last_share : first + 1 == n ? first_share : find_inner(static_cast<double>(n - 1));
   }
 
   // Share of a parabola that lies before a share of its width.

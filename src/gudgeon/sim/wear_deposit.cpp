@@ -106,14 +106,16 @@ WearDeposit::WearDeposit(std::span<const Contact> contacts, Deposition depositio
 void WearDeposit::add(std::span<const StepSample> samples) noexcept {
   const auto presses = [](const StepSample& at) { return at.contact->normal_force > 0.0; };
   double slip = 0.0;
+  double impulse = 0.0;
   const StepSample* last = nullptr;
   for (const StepSample& at : samples) {
     if (!presses(at)) continue;
     slip += at.weight * std::abs(at.contact->slip_speed);
-    impulse_ += at.weight * at.contact->normal_force;
+    impulse += at.weight * at.contact->normal_force;
     last = &at;
   }
   if (last == nullptr) return;
+  impulse_ += impulse;
   Amounts worn;
   for (const StepSample& at : samples) {
     if (!presses(at) || at.weight == 0.0) continue;
@@ -121,7 +123,7 @@ void WearDeposit::add(std::span<const StepSample> samples) noexcept {
     worn.bearing += at.weight * rates.bearing;
     worn.journal += at.weight * rates.journal;
   }
-  std::array<StepSample, kMostPlaces> places{};
+  std::array<StepSample, kMostPlaces> places;
   std::size_t n_places = 0;
   bool is_placed = false;
   for (const StepSample& at : samples) {
