@@ -16,7 +16,7 @@ namespace gudgeon {
 ///
 /// Extremes are those of all values, also of those noted between steps.
 /// mean = (1/T) ∫ x dt and rms = √((1/T) ∫ x² dt) by the trapezoidal rule over the accepted steps; sums are
-/// compensated (Neumaier), so their error does not grow with the number of steps. A jump is two updates at the same
+/// compensated, so their error does not grow with the number of steps. A jump is two updates at the same
 /// time, which weigh nothing. A NaN passes into mean and rms and is left out of the extremes; no update at all gives
 /// NaN everywhere. Same updates, same bits.
 class StatisticsAccumulator {
@@ -33,27 +33,26 @@ class StatisticsAccumulator {
   [[nodiscard]] std::vector<ChannelStatistics> summarize() const;
 
  private:
-  struct Sum {
-    double value = 0.0;
-    double lost = 0.0;  // what rounding took away so far
-    void add(double term);
-    [[nodiscard]] double total() const { return value + lost; }
+  // Compensated sums, one a channel.
+  struct Sums {
+    std::vector<double> values;
+    std::vector<double> lost;  // what rounding took away so far
+    void reset(std::size_t n);
+    [[nodiscard]] double total(std::size_t k) const { return values[k] + lost[k]; }
   };
-  struct Running {
-    void note_extremes(double time, double x, bool is_first);
-    double last = 0.0;
-    double minimum = 0.0;
-    double minimum_time = 0.0;
-    double maximum = 0.0;
-    double maximum_time = 0.0;
-    Sum integral;
-    Sum square_integral;
-  };
+  void add_to_integrals(double half_step, const double* values);
 
+  // One a channel, each an array of its own: most of an update is then done for several channels at once.
   std::vector<std::string> channels_;
-  std::vector<Running> running_;  // one a channel
-  double first_time_ = 0.0;       // [s]
-  double last_time_ = 0.0;        // [s]
+  std::vector<double> last_;
+  std::vector<double> minimum_;
+  std::vector<double> maximum_;
+  std::vector<double> minimum_time_;
+  std::vector<double> maximum_time_;
+  Sums integral_;
+  Sums square_integral_;
+  double first_time_ = 0.0;  // [s]
+  double last_time_ = 0.0;   // [s]
   bool empty_ = true;
 };
 
