@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "gudgeon/geometry/contact_arc.h"
+#include "gudgeon/geometry/moving_mean.h"
 
 namespace gudgeon {
 
@@ -24,6 +25,10 @@ constexpr double kLeastPenetration = 1e-12;
 // The ends of an arc, where pressure goes to zero between elastic bodies, are ramps of this share of it at least: a
 // step there would make a worn surface the rougher the finer its regions.
 constexpr double kSoftEdge = 0.1;
+
+// Depths are told no finer than this share of the contact's mean length: shorter waves come from the steps that it was
+// laid down in, not from the motion.
+constexpr double kFinest = 0.1;
 
 // A contact that moves and grows by less than this share of its length within a step does so evenly.
 constexpr double kHardly = 0.1;
@@ -58,11 +63,14 @@ double find_wear_rate(const AnyWear& any, const WearContact& contact) noexcept {
   return std::visit([&](const auto& law) { return law(contact); }, any);
 }
 
-// Surface after surface.
-std::vector<double> find_magnified(const std::vector<ArcAccumulator>& deposits, double magnification) {
+// Surface after surface; of a round one the last region is beside the first.
+std::vector<double> find_magnified(const std::vector<ArcAccumulator>& deposits, double magnification, double finest,
+                                   bool is_round) {
   std::vector<double> depths;
   for (const ArcAccumulator& deposit : deposits) {
-    for (const double depth : deposit.sum()) depths.push_back(depth * magnification);
+    std::vector<double> surface = deposit.sum();
+    smooth_by_moving_means(surface, finest * static_cast<double>(surface.size()), is_round);
+    for (const double depth : surface) depths.push_back(depth * magnification);
   }
   return depths;
 }
@@ -332,6 +340,7 @@ void WearDeposit::lay_at(const Place& place, const Amounts& amounts) noexcept { 
 // Over what the contact covers on its way, whose mean length the amounts are spread over.
 void WearDeposit::lay_between(const Place& from, const Place& to, const Amounts& amounts) noexcept {
   const double length = 0.5 * (from.length + to.length);
+  length_sum_ += length * (amounts.bearing + amounts.journal);
   const double bearing_depth = amounts.bearing / length;
   const double journal_depth = amounts.journal / length;
   const double bearing_move = to.bearing_at - from.bearing_at;
@@ -368,6 +377,13 @@ double WearDeposit::find_side_angle(double position, double width) const noexcep
   return std::clamp(at, margin, 2.0 * std::numbers::pi - margin);
 }
 
+// What the surfaces tell apart [m].
+double WearDeposit::find_finest_length() const noexcept {
+  const double worn = volume_ / contacts_.front().width;
+  const bool parabolic = contacts_.front().pressure == PressureDistribution::parabolic;
+  return deposition_ == Deposition::spread && !parabolic && worn > 0.0 ? kFinest * length_sum_ / worn : 0.0;
+}
+
 JointWear WearDeposit::summarize(const std::string& joint) const {
   JointWear wear;
   wear.joint = joint;
@@ -375,9 +391,11 @@ JointWear WearDeposit::summarize(const std::string& joint) const {
   wear.journal_radius = journal_radius_;
   wear.slot_length = slot_length_;
   wear.width = contacts_.front().width;
-  wear.bearing_depth_added = find_magnified(bearing_, magnification_);
-  wear.journal_depth_added = find_magnified(journal_, magnification_);
-  wear.total_depth_added = find_magnified(total_, magnification_);
+  const double finest = find_finest_length() / (2.0 * std::numbers::pi);
+  const bool is_round = slot_length_ == 0.0;
+  wear.bearing_depth_added = find_magnified(bearing_, magnification_, finest / bearing_radius_, is_round);
+  wear.journal_depth_added = find_magnified(journal_, magnification_, finest / journal_radius_, true);
+  wear.total_depth_added = find_magnified(total_, magnification_, finest / bearing_radius_, is_round);
   wear.bearing_depth.assign(wear.bearing_depth_added.size(), 0.0);
   wear.journal_depth.assign(wear.journal_depth_added.size(), 0.0);
   for (const Contact& contact : contacts_) {

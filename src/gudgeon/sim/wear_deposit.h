@@ -80,6 +80,7 @@ class WearDeposit {
   void lay(std::initializer_list<ArcAccumulator::Layer> layers, double angle, double width, double turn,
            double end_width) const noexcept;
   [[nodiscard]] double find_side_angle(double position, double width) const noexcept;
+  [[nodiscard]] double find_finest_length() const noexcept;
 
   std::span<const Contact> contacts_;
   Deposition deposition_;
@@ -91,6 +92,7 @@ class WearDeposit {
   std::vector<ArcAccumulator> journal_;  // one a surface
   std::vector<ArcAccumulator> total_;    // both bodies, over the bearing's surfaces
   double volume_ = 0.0;
+  double length_sum_ = 0.0;  // [m^3] of contacts, each times the depth times length that it wore
   double sliding_distance_ = 0.0;
   double impulse_ = 0.0;
   double contact_time_ = 0.0;
