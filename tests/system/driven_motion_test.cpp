@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "gudgeon/system/dynamics.h"
 #include "gudgeon/system/mobility.h"
 #include "gudgeon/system/reactions.h"
@@ -145,6 +147,29 @@ TEST(DrivenMotion, DriversThatContradictAreNamed) {
   EXPECT_EQ(found[0].code, "E-MODEL-070");
   EXPECT_EQ(found[0].path, "drivers.bend");
   EXPECT_THAT(found[0].message, HasSubstr("5.72958 deg off"));
+}
+
+// What the driver asks of the second guide is nothing but rounding.
+TEST(DrivenMotion, GuideBesideADrivenOneFollows) {
+  for (int k = 0; k < 30; ++k) {
+    const double direction = 0.1 + 0.2 * k;
+    const double turn = -1.36 + 0.17 * k;
+    const Vec2 along{std::cos(direction), std::sin(direction)};
+    const auto to_block = [&](Vec2 p) { return make_rotation(-turn) * (p + 0.065 * along); };
+    const Vec2 near{0.09, 0.171};
+    const Vec2 far{0.336, 0.179};
+    Mechanism mechanism = oracle::make_empty("block", oracle::kObliqueGravity, {{"near", near}, {"far", far}});
+    mechanism.bodies.push_back(
+        {"block", 2.4, 0.0135, {0.05, -0.02}, {{"near", to_block(near)}, {"far", to_block(far)}}, {}});
+    mechanism.joints.push_back(
+        {"one", oracle::make_slide({kFrameName, "near"}, {"block", "near"}, direction, turn, 0.065)});
+    mechanism.joints.push_back(
+        {"two", oracle::make_slide({kFrameName, "far"}, {"block", "far"}, direction, turn, 0.065)});
+    mechanism.drivers.push_back({"push", DrivenSlide{"one"}, 0.065, 0.3});
+    const Evaluated at(mechanism);
+    EXPECT_NEAR(norm(at.motion("block").velocity - 0.3 * along), 0.0, 1e-14) << k;
+    EXPECT_NEAR(at.workspace.effort[0], -2.4 * dot(oracle::kObliqueGravity, along), 1e-12) << k;
+  }
 }
 
 TEST(DrivenMotion, MobilityCountsPinsAndRelativeDrivers) {

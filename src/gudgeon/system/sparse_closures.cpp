@@ -4,6 +4,7 @@
 // Householder's reflections column by column of the transpose, in the order of the rows.
 #include "gudgeon/system/sparse_closures.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gudgeon/system/closure_entries.h"
@@ -58,6 +59,23 @@ SparseMatrix find_sparse_jacobian(const Tables& tables, const Coordinates& coord
     }
   }
   return jacobian;
+}
+
+double find_largest_term_speed(const Tables& tables, const Coordinates& coordinates) {
+  double largest = 0.0;
+  for (const ClosureRows& rows : tables.closures) {
+    double sum = 0.0;
+    if (rows.kind == ClosureKind::angle) {
+      for (const int turn : rows.angle_turn) sum += std::abs(coordinates.angle_rate[turn]);
+    }
+    for (int t = rows.first_term; t < rows.end_term; ++t) {
+      const ClosureTerm& term = tables.closure_terms[t];
+      sum += norm(term.vector) * (std::abs(coordinates.slide[term.slide] * coordinates.angle_rate[term.turn]) +
+                                  std::abs(coordinates.slide_rate[term.slide]));
+    }
+    largest = std::max(largest, sum);
+  }
+  return largest;
 }
 
 double find_longest_row(const SparseMatrix& rows) {

@@ -17,6 +17,10 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// only rounding of the terms that an entry is the sum of is zero.
 SparseMatrix find_sparse_jacobian(const Tables& tables, const Coordinates& coordinates);
 
+/// The largest sum of the speeds [m/s, rad/s] of a closure's terms: what they leave of it where they cancel out is
+/// rounding.
+double find_largest_term_speed(const Tables& tables, const Coordinates& coordinates);
+
 /// The length of the longest row of a matrix.
 double find_longest_row(const SparseMatrix& rows);
 

@@ -92,6 +92,7 @@ std::vector<GivenStart> list_undriven_rates(const Mechanism& mechanism, const To
 
 VectorXd solve_in_order(const MatrixXd& matrix, const VectorXd& right, const MatrixXd& wished,
                         const VectorXd& wished_right) {
+  if (matrix.cols() == 0) return {};  // all is driven
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
   solver.setThreshold(kRankThreshold);
   solver.compute(matrix);
@@ -142,7 +143,8 @@ VectorXd find_start_rates(const Mechanism& mechanism, const Topology& topology, 
   if (matrix.rows() == 0) return rates;
   const VectorXd rest = matrix * rates - right;
   const double largest = (matrix.cwiseAbs() * rates.cwiseAbs()).maxCoeff();
-  const double had = kHadShare * std::max(right.cwiseAbs().maxCoeff(), largest);
+  const double asked = find_largest_term_speed(tables, workspace.coordinates);
+  const double had = kHadShare * std::max({right.cwiseAbs().maxCoeff(), largest, asked});
   if (rest.cwiseAbs().maxCoeff() > had) throw_rate_conflict(rest.tail(n_given), given, had);
   return rates;
 }
