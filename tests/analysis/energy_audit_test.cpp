@@ -61,6 +61,19 @@ TEST(EnergyAudit, PotentialEnergyCountsForRoundingAlone) {
   EXPECT_TRUE(check_energy(EnergyLedger{}).closed);
 }
 
+// 10 N over 0.5 m; the same mechanism a million times smaller; and one of 1 MN over 100 m. Nothing moves.
+TEST(EnergyAudit, WhereNothingMovesLoadsAreTheScale) {
+  for (const double reach : {5.0, 5e-12, 1e8}) {
+    EnergyLedger locked;
+    locked.load_reach = reach;
+    locked.exchanged = 1e-15 * reach;
+    locked.load_work = 0.9e-12 * reach;
+    EXPECT_TRUE(check_energy(locked).closed) << reach;
+    locked.load_work = 1.1e-12 * reach;
+    EXPECT_FALSE(check_energy(locked).closed) << reach;
+  }
+}
+
 TEST(EnergyAudit, ExplainsOnlyAFinishedStageThatDoesNotAddUp) {
   StageRecord stage = test::make_stage("x");
   EXPECT_FALSE(is_unbalanced(stage));

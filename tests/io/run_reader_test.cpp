@@ -36,9 +36,9 @@ void write_all(const std::filesystem::path& file, const RunRecord& run) {
   for (const StageRecord& stage : run.stages) writer.append(stage);
 }
 
-std::array<double, 12> list_energy(const EnergyLedger& l) {
-  return {l.initial_energy, l.kinetic,         l.potential, l.elastic,      l.driver_work, l.load_work,
-          l.damper_loss,    l.contact_damping, l.friction,  l.surface_work, l.exchanged,   l.residual()};
+std::array<double, 13> list_energy(const EnergyLedger& l) {
+  return {l.initial_energy,  l.kinetic,  l.potential,    l.elastic,   l.driver_work, l.load_work, l.damper_loss,
+          l.contact_damping, l.friction, l.surface_work, l.exchanged, l.load_reach,  l.residual()};
 }
 
 std::array<double, 10> list_solver(const SolverStatistics& s) {

@@ -42,6 +42,7 @@ inline constexpr std::array kEnergyReals{
     Field<EnergyLedger, double>{"friction", "J", &EnergyLedger::friction},
     Field<EnergyLedger, double>{"surface_work", "J", &EnergyLedger::surface_work},
     Field<EnergyLedger, double>{"exchanged", "J", &EnergyLedger::exchanged},
+    Field<EnergyLedger, double>{"load_reach", "J", &EnergyLedger::load_reach, true},
 };
 
 inline constexpr std::array kSolverCounts{

@@ -16,14 +16,14 @@ inline constexpr double kEnergyTolerance = 1e-6;
 
 /// What the residual is measured by [J]: the energy exchanged, and what energies that were there throughout can be
 /// known to. Speeds are known to 1e-7 where steps are held by the ledger, and a kinetic energy to twice that; sums of
-/// some thousand terms are rounded to 1e-12.
+/// some thousand terms are rounded to 1e-12, energies as well as places, over which loads work.
 inline double find_energy_scale(const EnergyLedger& ledger) {
   constexpr double kSpeedsKnown = 1e-7;
   constexpr double kSumsKnown = 1e-12;
-  constexpr double kNoEnergy = 1e-15;  // [J] what rounding makes of forces on a mechanism that cannot move
   const double held =
       std::abs(ledger.initial_energy) + ledger.kinetic + std::abs(ledger.potential) + std::abs(ledger.elastic);
-  return ledger.exchanged + (2.0 * kSpeedsKnown * ledger.kinetic + kSumsKnown * held + kNoEnergy) / kEnergyTolerance;
+  const double rounded = kSumsKnown * (held + ledger.load_reach);
+  return ledger.exchanged + (2.0 * kSpeedsKnown * ledger.kinetic + rounded) / kEnergyTolerance;
 }
 
 /// The largest residual [J] with which the energy adds up.

@@ -53,7 +53,8 @@ struct EnergyLedger {
   double contact_damping = 0.0;  ///< lost in contacts along their normal
   double friction = 0.0;         ///< lost in contacts along their slip
   double surface_work = 0.0;     ///< done by worn surfaces whose law is not conservative
-  double exchanged = 0.0;  ///< time integral of the magnitudes of the powers of drivers, loads, damping and friction
+  double exchanged = 0.0;   ///< time integral of the magnitudes of the powers of drivers, loads, damping and friction
+  double load_reach = 0.0;  ///< largest sum of loads and weights over the characteristic length, and of torques
 
   /// What is missing: energy now − energy at the start − work done on the mechanism.
   [[nodiscard]] double residual() const {

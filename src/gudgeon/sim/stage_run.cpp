@@ -35,6 +35,7 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
       peaks_(system_, motion_.equations(), recorder_, history_),
       scratch_(system.tables),
       pace_(cycle_time),
+      reach_(system.mechanism),
       warm_up_end_(study.warm_up_cycles * cycle_time),
       end_((study.warm_up_cycles + study.cycles) * cycle_time),
       sample_step_(cycle_time / study.outputs_per_cycle),
@@ -138,6 +139,7 @@ void StageRun::close_touching() {
 
 void StageRun::take_step(double step_start) {
   const double now = motion_.time();
+  reach_.note(motion_.equations().workspace);
   if (step_start >= warm_up_end_) deposit_wear();
   sample_until(now);
   if (step_start >= warm_up_end_) {
@@ -338,6 +340,7 @@ void StageRun::finish() {
   ledger.friction = integrals[kFrictionLoss];
   ledger.surface_work = integrals[kSurfaceWork];
   ledger.exchanged = integrals[kExchanged];
+  ledger.load_reach = reach_.largest();
   recorder_.finish(record_);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gudgeon/sim/contact_history.h"
+#include "gudgeon/sim/load_reach.h"
 #include "gudgeon/sim/motion_integrator.h"
 #include "gudgeon/sim/peak_watch.h"
 #include "gudgeon/sim/run_pace.h"
@@ -58,6 +59,7 @@ class StageRun {
   Workspace scratch_;
   StageRecord record_;
   RunPace pace_;
+  LoadReach reach_;
 
   double warm_up_end_;  // [s]
   double end_;          // [s]
