@@ -33,6 +33,7 @@ class ControlledStepper : public Stepper {
     AttemptedStep step = describe_attempt();
     end_residual_ = equations_.find_residual(step.end.data());
     step.ledger_error = ledger_.find_error(end_residual_, find_exchanged(step.end));
+    if (step.ledger_error > 1.0) step.loss_error = find_loss_error(step);
     if (works_ && h > shortest_for_works_) step.work_error = find_work_error(step);
     return control_.accepts(step);
   }
@@ -63,12 +64,26 @@ class ControlledStepper : public Stepper {
     return y[equations_.n_states() + kExchanged];
   }
 
+  // A contact that opens faster than its force falls gives its energy away without pressing: steps as long as the
+  // motion permits would not see how.
+  [[nodiscard]] double find_loss_error(const AttemptedStep& step) const noexcept {
+    double sum = 0.0;
+    for (const int loss : {kContactDamping, kSurfaceWork}) {
+      sum += std::abs(find_error(equations_.n_states() + static_cast<std::size_t>(loss)));
+    }
+    const double kinetic = find_kinetic_energy(equations_.tables(), equations_.workspace.coordinates);
+    return ledger_.find_share(sum, find_exchanged(step.end), kinetic);
+  }
+
   [[nodiscard]] double find_work_error(const AttemptedStep& step) const noexcept {
     const std::size_t first = equations_.n_states();
+    const bool is_driven = equations_.n_free() == 0;
     double largest = 0.0;
-    for (const int work : {kLoadWork, kDamperLoss, kDriverWork}) {
-      // Impacts are in the drivers' efforts, and in the ledger.
-      if (work == kDriverWork && !equations_.latches.empty()) continue;
+    for (const int work : {kLoadWork, kDamperLoss, kDriverWork, kContactDamping, kFrictionLoss}) {
+      // Impacts are in the drivers' efforts, and in the ledger; it does not see them where all is driven.
+      const bool is_of_contacts =
+          work == kContactDamping || work == kFrictionLoss || (work == kDriverWork && !equations_.latches.empty());
+      if (is_of_contacts && !is_driven) continue;
       largest = std::max(largest, std::abs(find_error(first + static_cast<std::size_t>(work))));
     }
     return works_->find_error(largest, find_exchanged(step.start), find_exchanged(step.end), find_largest_load());

@@ -18,6 +18,8 @@ class LedgerControl {
   static constexpr double kLargestResidual = 3e-7;
   /// Of what is left, a step may use this share: the next ones may need it as well.
   static constexpr double kShareOfRest = 0.1;
+  /// Speeds are known to 1e-7 where the ledger holds steps.
+  static constexpr double kKineticKnown = 2e-7;
 
   /// Where attempts start: the ledger's residual and the energy exchanged until there [J].
   void begin(double residual, double exchanged) noexcept {
@@ -28,9 +30,13 @@ class LedgerControl {
   /// What an attempt that ends with these has added to the residual's size, by what it may add [1].
   [[nodiscard]] double find_error(double residual, double exchanged) const noexcept {
     const double added = std::abs(residual) - residual_;
-    if (added <= 0.0) return 0.0;
-    const double rest = std::max(0.0, kLargestResidual * exchanged_ - residual_);
-    return added / (kLargestResidual * (exchanged - exchanged_) + kShareOfRest * rest);
+    return added <= 0.0 ? 0.0 : find_share(added, exchanged);
+  }
+
+  /// An energy [J] by what such an attempt may add [1]; beside a kinetic energy [J], what that is known to counts, too.
+  [[nodiscard]] double find_share(double energy, double exchanged, double kinetic = 0.0) const noexcept {
+    const double rest = std::max(0.0, kLargestResidual * exchanged_ - residual_) + kKineticKnown * kinetic;
+    return energy / (kLargestResidual * (exchanged - exchanged_) + kShareOfRest * rest);
   }
 
  private:

@@ -11,14 +11,16 @@
 
 namespace gudgeon {
 
-/// A step that was tried: its length [s], the states at its ends, the estimated local error of each, and what it adds
-/// to the energy ledger's residual by what it may add [1], and the error of its works by what that may be [1].
+/// A step that was tried: its length [s], the states at its ends, the estimated local error of each, what it adds to
+/// the energy ledger's residual by what it may add [1], the estimated error of what contacts lose in it by the same
+/// [1], and the error of its works by what that may be [1].
 struct AttemptedStep {
   double h;
   std::span<const double> start;
   std::span<const double> end;
   std::span<const double> error;
   double ledger_error = 0.0;
+  double loss_error = 0.0;
   double work_error = 0.0;
 };
 
@@ -31,8 +33,8 @@ class StepControl {
   /// Length proposed for the next attempt [s].
   [[nodiscard]] double next_step() const { return next_; }
 
-  /// Whether the attempted step keeps the tolerance, or as little as a tenth of it where the ledger needs that;
-  /// proposes the next length either way.
+  /// Whether the attempted step keeps the tolerance, or as little as a tenth of it where the ledger needs that, or less
+  /// where the losses of contacts do; proposes the next length either way.
   bool accepts(const AttemptedStep& step);
 
   /// The step kept the tolerance but could not be used for another reason.
