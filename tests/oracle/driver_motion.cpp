@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Waves and cubics by their formulas.
+// Waves by their formula, curves by the textbook's.
 #include "tests/oracle/driver_motion.h"
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "tests/oracle/textbook_curves.h"
 
 namespace gudgeon::oracle {
 
@@ -20,23 +21,6 @@ TextbookMotion eval_wave(const Expression& expression, double time) {
   const double a = constant(0), b = constant(1), c = constant(2), w = constant(3), p = constant(4);
   return {a + c * time + b * std::sin(w * time + p), c + b * w * std::cos(w * time + p),
           -b * w * w * std::sin(w * time + p)};
-}
-
-/// Newton's form of the cubic through the first four points, and its derivatives by the product rule.
-TextbookMotion eval_cubic(const SampledCurve& curve, double time) {
-  std::array<double, 4> difference{};
-  for (std::size_t k = 0; k < 4; ++k) difference[k] = curve.values.at(k);
-  for (std::size_t order = 1; order < 4; ++order) {
-    for (std::size_t k = 3; k >= order; --k) {
-      difference[k] = (difference[k] - difference[k - 1]) / (curve.arguments[k] - curve.arguments[k - order]);
-    }
-  }
-  TextbookMotion at{difference[3], 0.0, 0.0};
-  for (std::size_t k = 3; k-- > 0;) {
-    const double x = time - curve.arguments[k];
-    at = {difference[k] + x * at.value, at.value + x * at.rate, 2.0 * at.rate + x * at.acceleration};
-  }
-  return at;
 }
 
 }  // namespace
@@ -57,7 +41,10 @@ SampledCurve make_cubic_curve(double c0, double c1, double c2, double c3) {
 
 TextbookMotion eval_motion(const Driver& driver, double time) {
   if (const auto* expression = std::get_if<Expression>(&driver.motion)) return eval_wave(*expression, time);
-  if (const auto* curve = std::get_if<SampledCurve>(&driver.motion)) return eval_cubic(*curve, time);
+  if (const auto* curve = std::get_if<SampledCurve>(&driver.motion)) {
+    const TextbookValue at = TextbookCurve::of_motion(*curve).eval(time);
+    return {at.value, at.slope, at.curvature};
+  }
   return {driver.start + driver.speed * time, driver.speed, 0.0};
 }
 

@@ -29,8 +29,9 @@ struct TextbookMotion {
   double acceleration = 0.0;
 };
 
-/// What a driver asks for: uniform, an expression of make_wave() or a curve of make_cubic_curve().
-/// Throws std::runtime_error for any other.
+/// What a driver asks for: uniform, an expression of make_wave() or a curve.
+/// Throws std::runtime_error for any
+/// other.
 TextbookMotion eval_motion(const Driver& driver, double time);
 
 }  // namespace gudgeon::oracle

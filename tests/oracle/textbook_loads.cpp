@@ -9,9 +9,9 @@
 #include <numbers>
 #include <utility>
 
-#include "gudgeon/base/curve.h"
 #include "gudgeon/base/expression.h"
 #include "gudgeon/model/channel_names.h"
+#include "tests/oracle/textbook_curves.h"
 
 namespace gudgeon::oracle {
 
@@ -124,7 +124,7 @@ class LoadWriter {
     }
     const auto& curve = std::get<SampledCurve>(function);
     const auto at = std::ranges::find(names, curve.over) - names.begin();
-    return make_load_curve(curve).eval(values.at(at)).value;
+    return TextbookCurve::of_load(curve).eval(values.at(at)).value;
   }
 
   [[nodiscard]] double eval_channel(const StateChannel& channel) const {
