@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "tests/random/random_curves.h"
+
 namespace gudgeon::random {
 
 namespace {
@@ -33,6 +35,13 @@ class LoadDraw {
         return put(VariableForce{draw_point(draw_moving()), of_time(), of_speed(), kFrameName});
       case 6:
         return put(VariableTorque{draw_moving().name, kFrameName, of_angle()});
+      case 7:
+        return put(VariableForce{draw_point(draw_moving()), draw_curve(draw_, "t", -0.01, 0.12, 20.0), of_time(),
+                                 draw_moving().name});
+      case 8: {
+        const std::string body = draw_moving().name;
+        return put(VariableTorque{body, draw_other(body), draw_curve(draw_, body + ".angle_rate", -20.0, 40.0, 2.0)});
+      }
       default:
         return put(VariableForce{draw_point(draw_moving()), of_time(), 0.0, draw_moving().name});
     }
@@ -74,6 +83,12 @@ class LoadDraw {
                                               draw_.angle()}});
   }
 
+  // A torque has its opposite on another body.
+  std::string draw_other(const std::string& body) {
+    const Body& other = draw_moving();
+    return other.name == body ? kFrameName : other.name;
+  }
+
   Expression of_time() {
     return {"a*sin(w*t + p) + b*t",
             {{"a", draw_.between(-10.0, 10.0)},
@@ -101,7 +116,7 @@ class LoadDraw {
 void add_loads(Mechanism& mechanism, Draw& draw) {
   LoadDraw loads(mechanism, draw);
   const int n = 1 + draw.below(4);
-  for (int i = 0; i < n; ++i) loads.add(draw.below(8));
+  for (int i = 0; i < n; ++i) loads.add(draw.below(10));
 }
 
 void add_jump(RandomModel& model, Draw& draw) {

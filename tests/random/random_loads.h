@@ -9,7 +9,7 @@
 
 namespace gudgeon::random {
 
-/// One to four loads of any kind but those that jump.
+/// One to four loads of any kind but formulas that jump.
 void add_loads(Mechanism& mechanism, Draw& draw);
 
 /// A force that is one constant before an instant and another one after it.

@@ -10,8 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "tests/oracle/driver_motion.h"
+#include "tests/oracle/textbook.h"
+#include "tests/random/random_curves.h"
 #include "tests/random/random_draw.h"
+#include "tests/random/random_drivers.h"
 #include "tests/random/random_loads.h"
 
 namespace gudgeon::random {
@@ -23,40 +25,81 @@ struct Place {
   double angle = 0.0;
 };
 
-ContactProperties make_contact(Draw& draw) {
+/// Of every joint of a mechanism, so that its sums can be told.
+enum class Wear { none, by_distance, by_friction };
+
+ContactProperties make_contact(Wear wear, Draw& draw) {
   const Material steel{"steel", draw.scaled(20e9, 200e9), 0.3};
   ContactProperties contact{"rubbing", steel, steel, LankaraniNikravesh{draw.between(0.6, 0.95), 1.5}, Frictionless{}};
   if (draw.with_chance(0.3)) contact.normal_force = Hertz{1.5};
   if (draw.with_chance(0.5)) contact.friction = CoulombSmooth{.kinetic_coefficient = draw.between(0.05, 0.2)};
+  const double coefficient = draw.scaled(1e-13, 1e-11);
+  if (wear == Wear::by_distance) contact.bearing_wear = contact.journal_wear = Archard{coefficient};
+  if (wear == Wear::by_friction) contact.bearing_wear = contact.journal_wear = EnergyWear{coefficient};
   return contact;
+}
+
+Study make_study(Family family) {
+  Study study;
+  study.cycle_time = 0.1;
+  study.cycles = 1;
+  study.outputs_per_cycle = 20;
+  study.regions = 100;
+  study.compare_ideal = false;
+  study.wear_stages = family == Family::clearances ? 1 : 0;
+  study.magnification = 10.0;
+  // Impacts of a tenth of a second exchange so little that at the default tolerance some ledgers miss their bound.
+  study.relative_tolerance = family == Family::clearances ? 1e-8 : 1e-9;
+  study.absolute_tolerance = family == Family::clearances ? 1e-11 : 1e-12;
+  return study;
 }
 
 /// Puts a mechanism together. Every joint is made where its bodies are: it is closed there.
 class Builder {
  public:
-  Builder(Family family, std::uint64_t seed) : family_(family), draw_(seed) {
+  Builder(Family family, std::uint64_t seed) : family_(family), draw_(8 * seed + static_cast<std::uint64_t>(family)) {
+    model_.study = make_study(family);
     mechanism_.name = fmt::format("{}_{}", name_family(family), seed);
     mechanism_.gravity = draw_.with_chance(0.8) ? draw_.vector(5.0, 10.0) : Vec2{};
     mechanism_.bodies.push_back({kFrameName, 0.0, 0.0, {}, {}, {}});
     places_.push_back({});
   }
 
-  Mechanism build() {
+  RandomModel build() {
+    wear_ = static_cast<Wear>(draw_.below(3));
     const int n_bodies = 1 + draw_.below(family_ == Family::clearances ? 4 : 6);
     for (int i = 0; i < n_bodies; ++i) grow();
     if (family_ != Family::trees && family_ != Family::clearances) close_loops();
     if (family_ == Family::clearances && draw_.with_chance(0.4)) close_loops();
     if (family_ == Family::redundant) add_redundancy();
-    if (family_ == Family::driven || (family_ == Family::clearances && draw_.with_chance(0.5))) add_driver();
+    if (draw_.with_chance(find_chance_of_driver())) model_.can_move = add_driver(mechanism_, make_pose(), draw_);
     if (family_ == Family::trees) throw_bodies();
-    const bool is_loaded = family_ == Family::loads || (family_ != Family::clearances && draw_.with_chance(0.3));
-    if (is_loaded) add_loads(mechanism_, draw_);
-    return std::move(mechanism_);
+    if (draw_.with_chance(find_chance_of_loads())) add_loads(mechanism_, draw_);
+    if (family_ == Family::curves) add_curves(model_, draw_);
+    if (family_ == Family::steps) add_jump(model_, draw_);
+    return std::move(model_);
   }
 
-  Draw& draw() { return draw_; }
-
  private:
+  [[nodiscard]] double find_chance_of_driver() const {
+    switch (family_) {
+      case Family::driven:
+        return 1.0;
+      case Family::clearances:
+        return 0.5;
+      case Family::redundant:
+      case Family::curves:
+        return 0.3;
+      default:
+        return 0.0;
+    }
+  }
+
+  [[nodiscard]] double find_chance_of_loads() const {
+    if (family_ == Family::loads) return 1.0;
+    return family_ == Family::clearances || family_ == Family::curves ? 0.0 : 0.3;
+  }
+
   [[nodiscard]] Body& body(int index) { return mechanism_.bodies[static_cast<std::size_t>(index)]; }
   [[nodiscard]] int n_bodies() const { return static_cast<int>(mechanism_.bodies.size()); }
 
@@ -111,19 +154,30 @@ class Builder {
 
   void bear(int a, int b, Vec2 where) {
     const double radius = draw_.between(5e-3, 20e-3);
-    mechanism_.joints.push_back({name_joint(), RevoluteClearance{add_point(a, where), add_point(b, where), radius,
-                                                                 draw_.scaled(2e-3, 5e-2) * radius,
-                                                                 draw_.between(10e-3, 30e-3), make_contact(draw_)}});
+    mechanism_.joints.push_back(
+        {name_joint(),
+         RevoluteClearance{add_point(a, where), add_point(b, where), radius, draw_.scaled(2e-3, 5e-2) * radius,
+                           draw_.between(10e-3, 30e-3), make_contact(wear_, draw_)}});
   }
 
   void bear_block(int a, int b, Vec2 where) {
     const double direction = draw_.angle();
     const double height = draw_.between(0.02, 0.05);
     mechanism_.joints.push_back(
-        {name_joint(), PrismaticClearance{add_point(a, where), add_point(b, where),
-                                          direction - places_[static_cast<std::size_t>(a)].angle, angle_between(a, b),
-                                          2.0, draw_.between(0.06, 0.12), height, 0.2 * height,
-                                          draw_.scaled(1e-4, 1e-3), draw_.between(10e-3, 30e-3), make_contact(draw_)}});
+        {name_joint(),
+         PrismaticClearance{add_point(a, where), add_point(b, where),
+                            direction - places_[static_cast<std::size_t>(a)].angle, angle_between(a, b), 2.0,
+                            draw_.between(0.06, 0.12), height, 0.2 * height, draw_.scaled(1e-4, 1e-3),
+                            draw_.between(10e-3, 30e-3), make_contact(wear_, draw_)}});
+  }
+
+  void bear_pin(int a, int b, Vec2 where) {
+    const double direction = draw_.angle();
+    mechanism_.joints.push_back(
+        {name_joint(),
+         PinInSlotClearance{add_point(a, where), add_point(b, where),
+                            direction - places_[static_cast<std::size_t>(a)].angle, 2.0, draw_.between(5e-3, 15e-3),
+                            draw_.scaled(1e-4, 1e-3), draw_.between(10e-3, 30e-3), make_contact(wear_, draw_)}});
   }
 
   /// One more body on one that is there.
@@ -133,7 +187,8 @@ class Builder {
     const int child = add_body(where + draw_.vector(0.1, 0.3));
     const int kind = draw_.below(10);
     if (family_ == Family::clearances && (child == 1 || kind < 4)) {
-      return kind % 4 == 0 ? bear_block(parent, child, where) : bear(parent, child, where);
+      if (kind % 4 == 0) return bear_block(parent, child, where);
+      return kind % 4 == 1 ? bear_pin(parent, child, where) : bear(parent, child, where);
     }
     if (kind < 6) return pin(parent, child, where);
     if (kind < 8) return guide(parent, child, where, draw_.angle(), draw_.between(-0.2, 0.2));
@@ -215,26 +270,14 @@ class Builder {
     }
   }
 
-  /// The first body that a pin of the frame holds, uniform or swinging about where it is.
-  void add_driver() {
-    for (const Joint& joint : mechanism_.joints) {
-      const auto* hinge = std::get_if<Revolute>(&joint.kind);
-      if (hinge == nullptr || hinge->first.body != kFrameName) continue;
-      const std::string name = hinge->second.body;
-      Body& driven = body(find_body(mechanism_, name));
-      const double angle = *driven.start.angle;
-      driven.start.angle.reset();
-      Driver driver{"motor", DrivenAngle{name}, angle, draw_.between(1.0, 6.0)};
-      if (draw_.with_chance(0.5)) {
-        const double swing = draw_.between(0.05, 0.3);
-        const double phase = draw_.angle();
-        driver.start = driver.speed = 0.0;
-        driver.motion = oracle::make_wave(
-            {angle - swing * std::sin(phase), draw_.between(-1.0, 1.0), swing, draw_.between(3.0, 15.0), phase});
-      }
-      mechanism_.drivers.push_back(driver);
-      return;
+  /// Where the bodies were put, at rest.
+  [[nodiscard]] oracle::TextbookState make_pose() const {
+    const oracle::Textbook textbook(mechanism_);
+    oracle::TextbookState pose = textbook.make_state();
+    for (std::size_t b = 1; b < places_.size(); ++b) {
+      pose.bodies[b] = textbook.place(static_cast<int>(b), places_[b].origin, places_[b].angle, {}, 0.0);
     }
+    return pose;
   }
 
   /// Rates of what is free in a tree: turns of pinned bodies, and slides.
@@ -249,37 +292,20 @@ class Builder {
 
   Family family_;
   Draw draw_;
-  Mechanism mechanism_;
+  Wear wear_ = Wear::none;
+  RandomModel model_;
+  Mechanism& mechanism_ = model_.mechanism;
   std::vector<Place> places_;
 };
-
-Study make_study(Family family) {
-  Study study;
-  study.cycle_time = 0.1;
-  study.cycles = 1;
-  study.outputs_per_cycle = 20;
-  study.regions = 100;
-  study.compare_ideal = false;
-  // Impacts of a tenth of a second exchange so little that at the default tolerance some ledgers miss their bound.
-  study.relative_tolerance = family == Family::clearances ? 1e-8 : 1e-9;
-  study.absolute_tolerance = family == Family::clearances ? 1e-11 : 1e-12;
-  return study;
-}
 
 }  // namespace
 
 const char* name_family(Family family) {
-  static constexpr const char* kNames[] = {"trees", "loops", "driven", "redundant", "loads", "steps", "clearances"};
+  static constexpr const char* kNames[] = {"trees", "loops",  "driven", "redundant",
+                                           "loads", "curves", "steps",  "clearances"};
   return kNames[static_cast<int>(family)];
 }
 
-RandomModel make_model(Family family, std::uint64_t seed) {
-  Builder builder(family, seed);
-  RandomModel model;
-  model.mechanism = builder.build();
-  model.study = make_study(family);
-  if (family == Family::steps) add_jump(model, builder.draw());
-  return model;
-}
+RandomModel make_model(Family family, std::uint64_t seed) { return Builder(family, seed).build(); }
 
 }  // namespace gudgeon::random

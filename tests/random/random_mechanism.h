@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "gudgeon/model/mechanism.h"
 #include "gudgeon/model/study.h"
@@ -18,15 +19,22 @@ namespace gudgeon::random {
 enum class Family {
   trees,       ///< open chains of pins, guides, welds and pins in slots, thrown about
   loops,       ///< closed by pins, guides and slots, moving under loads
-  driven,      ///< the same with a driver, uniform or swinging
+  driven,      ///< the same with a pin or a guide driven uniformly, to and fro, or along a curve
   redundant,   ///< with constraints that say what others say already
-  loads,       ///< springs, dampers, bushings, formulas of time, position and speed
+  loads,       ///< springs, dampers, bushings, formulas and curves of time, position and speed
+  curves,      ///< loads that are curves through points over positions, some with steps
   steps,       ///< forces that jump at one instant
-  clearances,  ///< journals in bearings, pins and blocks in slots with play
+  clearances,  ///< journals in bearings, pins and blocks in slots with play, some wearing
 };
 
 /// "trees" …
 const char* name_family(Family family);
+
+/// A load whose work depends on where it has moved its place only, not on when.
+struct CurveLoad {
+  SampledCurve curve;  ///< over that channel, which it pushes along
+  Anchor point;        ///< of a coordinate of a point; else the body alone counts
+};
 
 struct RandomModel {
   Mechanism mechanism;
@@ -35,6 +43,8 @@ struct RandomModel {
   double jump_time = 0.0;
   Mechanism before;
   Mechanism after;
+  std::vector<CurveLoad> curves;  ///< all that do the works of loads, if there are any
+  bool can_move = true;           ///< the driver is not against constraints
 };
 
 RandomModel make_model(Family family, std::uint64_t seed);

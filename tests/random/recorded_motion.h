@@ -40,9 +40,8 @@ struct TextbookEnd {
   double error = 0.0;  ///< [m, rad] what half the step changes
 };
 
-/// From one state on, over the time given, in that many steps and in twice as many.
-TextbookEnd integrate(const oracle::Textbook& textbook, const oracle::TextbookState& start, double from, double to,
-                      int n_steps);
+/// From one state on, over the time given, in steps that are halved until it no longer matters.
+TextbookEnd integrate(const oracle::Textbook& textbook, const oracle::TextbookState& start, double from, double to);
 
 /// The largest distance between two states' bodies [m, rad].
 double find_distance(const oracle::TextbookState& a, const oracle::TextbookState& b);
