@@ -33,7 +33,7 @@ namespace {
 #ifdef GUDGEON_SANITIZE
 constexpr int kSeedsAFamily = 4;
 #else
-constexpr int kSeedsAFamily = 40;
+constexpr int kSeedsAFamily = 30;
 #endif
 constexpr int kSeedsATest = 10;
 /// [m, rad] Of the largest length, about 1 m.
@@ -41,6 +41,9 @@ constexpr double kLargestGap = 1e-9;
 /// Relative, of samples between steps: their closures hold to the dense output's error, which tolerances of 1e-9 bound.
 constexpr double kDynamicsTolerance = 1e-6;
 constexpr double kMotionTolerance = 1e-7;  ///< [m, rad]
+/// Steps over the bends and steps of curves, which the textbook's do not land on, are off by chance: their change as
+/// they are halved says no more than what size that has.
+constexpr double kErrorAtBends = 10.0;
 /// A run that takes longer is taken for one that does not end: the longest takes a second or two.
 constexpr std::chrono::seconds kLongestRun{120};
 
@@ -74,6 +77,15 @@ TextbookEnd find_textbook_end(const RandomModel& model, const RecordedMotion& mo
   return found;
 }
 
+bool has_curves(const Mechanism& mechanism) {
+  const auto is_curve = [](const Function& function) { return std::holds_alternative<SampledCurve>(function); };
+  return std::ranges::any_of(mechanism.loads, [&](const Load& load) {
+    if (const auto* torque = std::get_if<VariableTorque>(&load.kind)) return is_curve(torque->torque);
+    const auto* force = std::get_if<VariableForce>(&load.kind);
+    return force != nullptr && (is_curve(force->x) || is_curve(force->y));
+  });
+}
+
 void expect_same_motion(const RandomModel& model, const StageRecord& stage) {
   const RecordedMotion motion(model.mechanism, stage);
   for (std::size_t k = 0; k < motion.n_samples(); k += 4) {
@@ -85,7 +97,8 @@ void expect_same_motion(const RandomModel& model, const StageRecord& stage) {
   const TextbookEnd end = find_textbook_end(model, motion);
   // Where the textbook's own steps are too long, it says less, and nothing where it has lost the motion.
   if (!(end.error < 1e-3)) return;
-  EXPECT_LT(find_distance(motion.state(last), end.state), kMotionTolerance + 2.0 * end.error);
+  const double factor = has_curves(model.mechanism) ? kErrorAtBends : 2.0;
+  EXPECT_LT(find_distance(motion.state(last), end.state), kMotionTolerance + factor * end.error);
 }
 
 /// With journals pressed into their bearings, bodies accelerate as the textbook has it.

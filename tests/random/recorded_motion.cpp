@@ -156,7 +156,7 @@ void expect_same_dynamics(const RecordedMotion& motion, std::size_t sample, doub
 
 TextbookEnd integrate(const oracle::Textbook& textbook, const oracle::TextbookState& start, double from, double to) {
   constexpr int kFewest = 60;
-  constexpr int kMost = 960;
+  constexpr int kMost = 480;
   constexpr double kGood = 1e-7;  // [m, rad]
   const auto run = [&](int n) {
     oracle::TextbookState state = start;
