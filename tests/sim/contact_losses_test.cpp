@@ -67,7 +67,7 @@ double find_exact_loss() {
   return sum * (kEnd - touch) / kPoints;
 }
 
-EnergyLedger run(const Mechanism& mechanism, double tolerance) {
+EnergyLedger find_ledger(const Mechanism& mechanism, double tolerance) {
   Study study;
   study.cycle_time = kEnd;
   study.cycles = 1;
@@ -81,7 +81,7 @@ EnergyLedger run(const Mechanism& mechanism, double tolerance) {
 
 TEST(ContactLosses, OfSurfacesThatPartFasterThanTheyPressAreSeenByTheLedger) {
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-9, 1e-10}) {
-    const EnergyLedger ledger = run(make_pushed_ball(true), tolerance);
+    const EnergyLedger ledger = find_ledger(make_pushed_ball(true), tolerance);
     EXPECT_TRUE(check_energy(ledger).closed) << tolerance << ": " << check_energy(ledger).relative;
     EXPECT_NEAR(ledger.contact_damping, find_exact_loss(), 2e-3 * find_exact_loss());
   }
@@ -89,7 +89,7 @@ TEST(ContactLosses, OfSurfacesThatPartFasterThanTheyPressAreSeenByTheLedger) {
 
 TEST(ContactLosses, KeepTheToleranceWhereAllIsDriven) {
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
-    const EnergyLedger ledger = run(make_pushed_ball(false), tolerance);
+    const EnergyLedger ledger = find_ledger(make_pushed_ball(false), tolerance);
     EXPECT_TRUE(check_energy(ledger).closed) << tolerance << ": " << check_energy(ledger).relative;
     EXPECT_NEAR(ledger.contact_damping, find_exact_loss(), (1e-8 + 10.0 * tolerance) * find_exact_loss()) << tolerance;
   }

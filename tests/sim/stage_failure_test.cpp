@@ -21,7 +21,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-StageRecord run(const Mechanism& mechanism, double cycle_time, double tolerance = 1e-6) {
+StageRecord run_within(double tolerance, const Mechanism& mechanism, double cycle_time) {
   Study study;
   study.relative_tolerance = tolerance;
   study.cycles = 1;
@@ -30,6 +30,8 @@ StageRecord run(const Mechanism& mechanism, double cycle_time, double tolerance 
   const System system = compile(mechanism, assembly);
   return StageRun(system, study, cycle_time, "test").run(make_state(system, assembly), {}, {});
 }
+
+StageRecord run(const Mechanism& mechanism, double cycle_time) { return run_within(1e-6, mechanism, cycle_time); }
 
 // A four-bar whose driven crank stretches crank and coupler against the rocker's reach and wants on.
 Mechanism make_locking_four_bar() {
@@ -71,7 +73,7 @@ TEST(StageFailure, ADriverThatAsksBeyondAReachIsToldWithinFewSteps) {
     oracle::add_revolute(mechanism, "elbow", {"crank", "b"}, {"bar", "a"});
     mechanism.joints.push_back({"end", PinInSlot{{kFrameName, "slot"}, {"bar", "b"}, 0.0}});
     mechanism.drivers.push_back({"motor", DrivenAngle{"crank"}, 0.2, speed});
-    const StageRecord stage = run(mechanism, 1.0, 1e-9);
+    const StageRecord stage = run_within(1e-9, mechanism, 1.0);
     EXPECT_EQ(stage.status, StageStatus::failed);
     EXPECT_THAT(stage.message, AllOf(HasSubstr("E-NUM-003: stopped at t = "), HasSubstr("a driver may ask")));
     EXPECT_NEAR(stage.end_time, (std::asin(2.0 / 3.0) - 0.2) / speed, 1e-6);

@@ -18,14 +18,14 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-ModelFile read_case_file(const std::string& name) {
+ModelFile read_start_case(const std::string& name) {
   ModelFile model = read_model(std::string(GUDGEON_SOURCE_DIR) + "/tests/cases/" + name + ".toml");
   EXPECT_FALSE(model.diagnostics.has_errors()) << render(model.diagnostics, model.source);
   return model;
 }
 
 TEST(StartCasesRun, ABallThatStartsWithinItsPlayFliesToTheWall) {
-  ModelFile model = read_case_file("start_in_the_play");
+  ModelFile model = read_start_case("start_in_the_play");
   model.study.cycles = 1;
   model.study.compare_ideal = true;
   const auto stages = run_study(model.mechanism, model.study);
@@ -43,7 +43,7 @@ TEST(StartCasesRun, ABallThatStartsWithinItsPlayFliesToTheWall) {
 }
 
 TEST(StartCasesRun, ABlockThatRestsOnItsGuideStaysThere) {
-  ModelFile model = read_case_file("rests_exactly_on_surface");
+  ModelFile model = read_start_case("rests_exactly_on_surface");
   const auto stages = run_study(model.mechanism, model.study);
   ASSERT_EQ(stages.size(), 1U);
   EXPECT_EQ(stages[0].status, StageStatus::finished) << stages[0].message;
@@ -57,7 +57,7 @@ TEST(StartCasesRun, ABlockThatRestsOnItsGuideStaysThere) {
 }
 
 TEST(StartCasesRun, WhatClosesByItsClearanceRuns) {
-  ModelFile model = read_case_file("pitch_error_within_clearance");
+  ModelFile model = read_start_case("pitch_error_within_clearance");
   model.study.cycle_time = 0.3;  // short of the change point at 180°
   model.study.cycle_driver.clear();
   const auto stages = run_study(model.mechanism, model.study);
@@ -67,7 +67,7 @@ TEST(StartCasesRun, WhatClosesByItsClearanceRuns) {
 }
 
 TEST(StartCasesRun, ASingularLoopIsNamedBesideAContact) {
-  ModelFile model = read_case_file("singular_loop_with_clearance");
+  ModelFile model = read_start_case("singular_loop_with_clearance");
   model.study.compare_ideal = false;
   const auto stages = run_study(model.mechanism, model.study);
   ASSERT_EQ(stages.size(), 1U);
@@ -77,7 +77,7 @@ TEST(StartCasesRun, ASingularLoopIsNamedBesideAContact) {
 }
 
 TEST(StartCasesRun, APointMassOnAPinIsAPendulum) {
-  const ModelFile model = read_case_file("point_mass_on_pin");
+  const ModelFile model = read_start_case("point_mass_on_pin");
   const auto stages = run_study(model.mechanism, model.study);
   ASSERT_EQ(stages.size(), 1U);
   ASSERT_EQ(stages[0].status, StageStatus::finished) << stages[0].message;
