@@ -188,7 +188,9 @@ class Builder {
     const int kind = draw_.below(10);
     if (family_ == Family::clearances && (child == 1 || kind < 4)) {
       if (kind % 4 == 0) return bear_block(parent, child, where);
-      return kind % 4 == 1 ? bear_pin(parent, child, where) : bear(parent, child, where);
+      if (kind % 4 != 1) return bear(parent, child, where);
+      body(child).start.position = places_[static_cast<std::size_t>(child)].origin;
+      return bear_pin(parent, child, where);
     }
     if (kind < 6) return pin(parent, child, where);
     if (kind < 8) return guide(parent, child, where, draw_.angle(), draw_.between(-0.2, 0.2));
