@@ -20,7 +20,9 @@ class ControlledStepper : public Stepper {
  public:
   ControlledStepper(MotionEquations& equations, SolverStatistics& statistics, const ErrorTolerance& tolerance,
                     int n_stages, double first_step)
-      : Stepper(equations, statistics, n_stages), control_(tolerance, first_step), shortest_for_works_(first_step) {}
+      : Stepper(equations, statistics, n_stages),
+        control_(tolerance, first_step),
+        shortest_for_works_(kShortestForWorks * first_step) {}
 
   /// Has the works of loads and drivers keep these tolerances, too.
   void control_works(double relative, double absolute) { works_.emplace(relative, absolute); }
@@ -60,6 +62,10 @@ class ControlledStepper : public Stepper {
   }
 
  private:
+  // Works do not ask for steps shorter than this share of the first one: what sets in from nothing has no size that it
+  // could be measured by.
+  static constexpr double kShortestForWorks = 1e-4;
+
   [[nodiscard]] double find_exchanged(std::span<const double> y) const noexcept {
     return y[equations_.n_states() + kExchanged];
   }
@@ -75,7 +81,7 @@ class ControlledStepper : public Stepper {
     return ledger_.find_share(sum, find_exchanged(step.end), kinetic);
   }
 
-  [[nodiscard]] double find_work_error(const AttemptedStep& step) const noexcept {
+  [[nodiscard]] double find_work_error(const AttemptedStep& step) noexcept {
     const std::size_t first = equations_.n_states();
     const bool is_driven = equations_.n_free() == 0;
     double largest = 0.0;
@@ -89,19 +95,21 @@ class ControlledStepper : public Stepper {
     return works_->find_error(largest, find_exchanged(step.start), find_exchanged(step.end), find_largest_load());
   }
 
-  // [N, N m] of the last evaluation
-  [[nodiscard]] double find_largest_load() const noexcept {
-    double largest = 0.0;
+  // [N, N m] that any attempt has ended with
+  double find_largest_load() noexcept {
     for (const LoadEffect& effect : equations_.workspace.loads.effects) {
-      largest = std::max({largest, std::abs(effect.force.x), std::abs(effect.force.y), std::abs(effect.torque)});
+      for (const double size : {effect.force.x, effect.force.y, effect.torque}) {
+        if (std::isfinite(size)) largest_load_ = std::max(largest_load_, std::abs(size));
+      }
     }
-    return largest;
+    return largest_load_;
   }
 
   StepControl control_;
   LedgerControl ledger_;
   std::optional<WorkControl> works_;
   double shortest_for_works_;  // [s] of the steps that works may ask for
+  double largest_load_ = 0.0;  // [N, N m]
   double attempted_ = 0.0;     // [s]
   double end_residual_ = 0.0;  // [J] of the ledger at the end of the attempt
   bool was_whole_ = false;     // the last step was as long as it was attempted

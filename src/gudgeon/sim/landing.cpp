@@ -23,7 +23,7 @@ constexpr double kLeastShare = 1e-6;
 
 // Tries a step and, when a contact changes within it, the part up to the change.
 bool MotionIntegrator::attempt_step(double longest, double left) {
-  if (!stepper_->attempt(longest, left) || !end_at_break()) return false;
+  if (!stepper_->attempt(longest, left) || !end_at_break() || !sees_loads()) return false;
   find_end_gaps();
   auto change = events_.find_first_change(stepper_->dense(), equations_.latches, gaps_, end_gaps_, scratch_);
   // Where a landing finds another gap closed that dense output of the longer step saw open, that one is landed on.

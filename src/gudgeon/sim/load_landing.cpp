@@ -18,6 +18,8 @@ constexpr double kAim = 0.5;
 // Singular positions are walked up to while a break lies as near as this share of the longest step.
 constexpr double kNearestShare = 1e-3;
 constexpr int kStrideLooks = 8;
+// A step is not cut to less than this share of a cycle to end at a load's peak: it starts so near that it sees it.
+constexpr double kShortestToPeak = 1e-9;
 
 }  // namespace
 
@@ -34,6 +36,18 @@ bool MotionIntegrator::end_at_break() {
     return false;
   }
   if (land_on_break(*leave)) return true;
+  stepper_->shorten();
+  return false;
+}
+
+// False where a load has a narrow peak or flank within the attempted step that its stages have not seen: a step has to
+// end there, so that its error tells.
+bool MotionIntegrator::sees_loads() {
+  if (unseen_.empty()) return true;
+  const auto time = unseen_.find(stepper_->dense(), equations_);
+  if (!time || *time - time_ <= kShortestToPeak * equations_.time_scale) return true;
+  peak_time_ = *time;
+  is_out_of_piece_ = false;
   stepper_->shorten();
   return false;
 }

@@ -56,6 +56,7 @@ MotionIntegrator::MotionIntegrator(const System& given, const Study& study, doub
       passage_(equations_.size(), study.absolute_tolerance + study.relative_tolerance),
       events_(system_.tables),
       breaks_(system_, cycle_time, statistics_),
+      unseen_(system_),
       scratch_(system_.tables),
       y_(equations_.size(), 0.0),
       slope_(equations_.size(), 0.0),
@@ -168,13 +169,14 @@ bool MotionIntegrator::advance(double milestone) {
   // Steps that are kept to a share of the way to a singular position end on it: time has to go on.
   const double longest = std::min(longest_step_, std::max(passage_.find_longest_step(), find_smallest_step()));
   const double wanted = stepper_->next_step();
+  if (time_ >= peak_time_) peak_time_ = std::numeric_limits<double>::infinity();
   if (!breaks_.empty()) milestone = std::min(milestone, next_point_);
   stepper_->begin(time_, y_, slope_, std::exchange(continues_, true));
-  while (!attempt_step(longest, milestone - time_)) {
+  while (!attempt_step(longest, std::min(milestone, peak_time_) - time_)) {
     ++statistics_.rejected_steps;
     if (is_out_of_piece_ ? !retry_with_other_pieces() : !prepare_retry()) return false;
   }
-  accept(milestone);
+  accept(std::min(milestone, peak_time_));
   if (time_ == next_point_) {
     changes_piece_ = true;
     stepper_->propose(std::max(wanted, stepper_->next_step()));

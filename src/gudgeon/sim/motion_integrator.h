@@ -4,6 +4,7 @@
 // From one accepted step to the next.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "gudgeon/sim/singular_passage.h"
 #include "gudgeon/sim/stiff_stepper.h"
 #include "gudgeon/sim/stiffness_watch.h"
+#include "gudgeon/sim/unseen_loads.h"
 #include "gudgeon/system/row_choice.h"
 
 namespace gudgeon {
@@ -96,6 +98,7 @@ class MotionIntegrator {
   bool land_on_change(const ContactChange& change);
   void turn_latch(std::size_t contact);
   bool end_at_break();
+  bool sees_loads();
   bool land_on_break(const LoadBreaks::Leave& leave);
   bool change_pieces();
   bool retry_with_other_pieces();
@@ -116,6 +119,7 @@ class MotionIntegrator {
   SingularPassage passage_;
   ContactEvents events_;
   LoadBreaks breaks_;
+  UnseenLoads unseen_;
   Workspace scratch_;
   SolverStatistics statistics_;
   std::unique_ptr<ExplicitStepper> explicit_;  // the steppers that the study permits
@@ -135,11 +139,12 @@ class MotionIntegrator {
   std::vector<GapState> gaps_;      // at the last accepted state
   std::vector<GapState> end_gaps_;  // at the end of an attempt
   std::optional<std::size_t> changing_contact_;
-  std::vector<double> passed_;    // a state within a stride
-  bool changes_piece_ = false;    // a load, at the end of the step
-  bool is_out_of_piece_ = false;  // a load, from the first moment of the attempt on
-  double landed_ = 0.0;           // [s] length of an attempt that ends on a break
-  double next_point_ = 0.0;       // [s] time of the next point of curves over the time
+  std::vector<double> passed_;                                  // a state within a stride
+  bool changes_piece_ = false;                                  // a load, at the end of the step
+  bool is_out_of_piece_ = false;                                // a load, from the first moment of the attempt on
+  double landed_ = 0.0;                                         // [s] length of an attempt that ends on a break
+  double next_point_ = 0.0;                                     // [s] time of the next point of curves over the time
+  double peak_time_ = std::numeric_limits<double>::infinity();  // [s] of a load that a step has not seen
   std::optional<LoadBreaks::Stall> stall_;
 };
 

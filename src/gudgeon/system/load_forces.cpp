@@ -74,12 +74,6 @@ double eval_function(const LoadTables& tables, const LoadFunction& function, Loa
   return function.constant;
 }
 
-void update_channels(const LoadTables& loads, double t, Workspace& ws) noexcept {
-  for (std::size_t k = 0; k < loads.channels.size(); ++k) {
-    ws.loads.channel_values[k] = find_value(loads.channels[k], t, ws);
-  }
-}
-
 void add_couple(const TurnCouple& couple, double torque, Workspace& ws) noexcept {
   ws.equations[couple.second_index] += torque;
   ws.equations[couple.first_index] -= torque;
@@ -181,15 +175,21 @@ void add_bushing(const BushingLoad& bushing, Workspace& ws) noexcept {
 
 }  // namespace
 
+void update_load_channels(const Tables& tables, double t, Workspace& workspace) noexcept {
+  for (std::size_t k = 0; k < tables.loads.channels.size(); ++k) {
+    workspace.loads.channel_values[k] = find_value(tables.loads.channels[k], t, workspace);
+  }
+}
+
 void update_breaks(const Tables& tables, double t, Workspace& workspace) noexcept {
-  update_channels(tables.loads, t, workspace);
+  update_load_channels(tables, t, workspace);
   for (std::size_t k = 0; k < workspace.loads.evaluators.size(); ++k) eval_expression(k, workspace.loads);
 }
 
 void add_variable_loads(const Tables& tables, double t, Workspace& workspace) noexcept {
   const LoadTables& loads = tables.loads;
   LoadScratch& scratch = workspace.loads;
-  update_channels(loads, t, workspace);
+  update_load_channels(tables, t, workspace);
   for (const ForceLoad& force : loads.forces) add_force(force, loads, workspace);
   for (const TorqueLoad& torque : loads.torques) add_torque(torque, loads, workspace);
   for (const SpringLoad& spring : loads.springs) add_spring(spring, workspace);

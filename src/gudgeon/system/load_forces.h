@@ -12,6 +12,9 @@ namespace gudgeon {
 /// to workspace.loads. Needs coordinates and point motions.
 void add_variable_loads(const Tables& tables, double t, Workspace& workspace) noexcept;
 
+/// The values of all channels that loads depend on, in workspace.loads; needs coordinates and point motions.
+void update_load_channels(const Tables& tables, double t, Workspace& workspace) noexcept;
+
 /// The values of all channels that loads depend on, and the breaks of all formulas with the pieces that are held, in
 /// workspace.loads; needs coordinates and point motions.
 void update_breaks(const Tables& tables, double t, Workspace& workspace) noexcept;
