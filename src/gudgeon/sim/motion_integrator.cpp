@@ -126,6 +126,10 @@ void MotionIntegrator::change_to(Stepper& stepper) {
 // After a step, where several steppers may be used.
 void MotionIntegrator::choose_stepper() {
   if (last_step_ == 0.0) return;
+  if (stepper_ == explicit_.get() && statistics_.accepted_steps % FastestRates::kEvery == 0) {
+    rates_.note(last_step_, explicit_->find_stiffness(),
+                std::ranges::any_of(equations_.latches, &ContactLatch::in_contact));
+  }
   if (implicit_) choose_implicit();
   if (!explicit_ || !stiff_) return;
   if (stepper_ == explicit_.get()) {

@@ -15,6 +15,7 @@
 #include "gudgeon/sim/contact_events.h"
 #include "gudgeon/sim/error_tolerance.h"
 #include "gudgeon/sim/explicit_stepper.h"
+#include "gudgeon/sim/fastest_rates.h"
 #include "gudgeon/sim/implicit_stepper.h"
 #include "gudgeon/sim/implicit_watch.h"
 #include "gudgeon/sim/load_breaks.h"
@@ -77,6 +78,8 @@ class MotionIntegrator {
   [[nodiscard]] std::int64_t n_piece_changes() const { return breaks_.n_changes(); }
   /// Why no piece of a load could be gone into, when advance() failed for that.
   [[nodiscard]] const std::optional<LoadBreaks::Stall>& stall() const { return stall_; }
+  /// How fast the fastest part of the motion was in explicit steps.
+  [[nodiscard]] const FastestRates& rates() const { return rates_; }
   /// The state at a time within the last step.
   void interpolate(double time, std::vector<double>& y) const;
 
@@ -128,6 +131,7 @@ class MotionIntegrator {
   Stepper* stepper_ = nullptr;  // the one at work
   StiffnessWatch stiffness_watch_;
   ImplicitWatch implicit_watch_;
+  FastestRates rates_;
   std::int64_t n_evaluations_ = 0;  // before the last step
 
   double time_ = 0.0;

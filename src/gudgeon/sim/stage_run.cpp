@@ -324,6 +324,7 @@ void StageRun::finish() {
     record_.wear.push_back(wear_[g].summarize(joint.name));
     record_.wear.back().clearance = find_clearance(joint.kind);
   }
+  if (record_.status == StageStatus::finished) record_.message = explain_cost();
   // A failed attempt may have left anything in the workspace: evaluate the last accepted state again.
   motion_.evaluate_again();
   const StageRecorder::Energies energies = recorder_.find_energies(motion_.equations().workspace);

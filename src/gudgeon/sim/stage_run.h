@@ -44,6 +44,7 @@ class StageRun {
   void sample_until(double time);
   void fail_step();
   void stop_without_end();
+  [[nodiscard]] std::string explain_cost() const;
   void fail(const std::string& code, const std::string& reason);
   bool fail_at_law_end();
   void finish();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is said of a stage that a load, or steps without end, do not let go on.
+// What is said of a stage that a load, or steps without end, do not let go on, or that they make costly.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -74,6 +74,32 @@ void StageRun::stop_without_end() {
       "a load that grows without bound, a stiffness too large for its mass",
       motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1, RunPace::kWindow, pace_.last_step(),
       pace_.last_advance(), record_.cycle_time, cause);
+}
+
+// Why a stage that did finish took as long as it did.
+std::string StageRun::explain_cost() const {
+  constexpr double kMany = 1e6;  // evaluations a cycle: ten times what the costliest of usual mechanisms take
+  const SolverStatistics& solver = record_.solver;
+  const double per_cycle = static_cast<double>(solver.evaluations) / (record_.end_time / record_.cycle_time);
+  if (!(per_cycle > kMany)) return "";
+  const FastestRates& rates = motion_.rates();
+  std::string text = fmt::format("{:.2g} evaluations a cycle, in steps of {:.2g} s", per_cycle,
+                                 record_.end_time / static_cast<double>(solver.accepted_steps));
+  const bool by_contact = rates.in_contact() > rates.in_flight();
+  if (const double fastest = std::max(rates.in_contact(), rates.in_flight()); fastest > 0.0) {
+    text += fmt::format(": what moves fastest has a rate of {:.2g} 1/s", fastest);
+  }
+  const auto longest = std::ranges::max_element(record_.wear, {}, &JointWear::contact_time);
+  if (by_contact && longest != record_.wear.end()) {
+    text += fmt::format(
+        " while contacts press, {:.2g} 1/s while none does; joint '{}' presses for {:.0f} % of the time: the bodies it "
+        "moves are light for its stiffness, look at their masses and inertias",
+        rates.in_flight(), longest->joint, 100.0 * longest->contact_time / (record_.end_time - record_.start_time));
+  }
+  if (study_.integrator == Integrator::explicit_pair) {
+    text += "; integrator = \"explicit\" cannot step over such rates, \"automatic\" may";
+  }
+  return text;
 }
 
 }  // namespace gudgeon
