@@ -33,15 +33,36 @@ double find_rate(double t) {
   return kDepth * kRate * (std::cos(angle) - 0.8 * std::cos(2.0 * angle));
 }
 
-Mechanism make_pushed_ball(bool with_tail) {
+// Pushed along its guide by the driver itself, or by a crank and a rod whose angle makes the ball go the same way.
+enum class BallDrive { slide, crank };
+constexpr double kCrankLength = 0.1;  // [m]
+constexpr double kRodLength = 0.45;   // [m]
+constexpr double kPivotPlace = -0.5;  // [m] beside the bearing's middle
+
+Mechanism make_pushed_ball(bool with_tail, BallDrive drive = BallDrive::slide) {
   Mechanism mechanism = make_balls({{}}, {}, kModulus);
   mechanism.bodies[1].start = {};
   std::get<RevoluteClearance>(mechanism.joints[0].kind).contact.normal_force = LankaraniNikravesh{kRestitution, 1.5};
   mechanism.joints.push_back(
       {"guide", Prismatic{{kFrameName, "bearing_0"}, {"ball_0", "journal"}, 0.0, 0.0, std::nullopt, std::nullopt}});
-  const Expression motion{"c + a*(sin(w*t + p) - 0.4*sin(2*(w*t + p)))",
-                          {{"a", kDepth}, {"c", kBallClearance}, {"p", kPhase}, {"w", kRate}}};
-  mechanism.drivers.push_back({"push", DrivenSlide{"guide"}, 0.0, 0.0, motion});
+  const std::string way = "(c + a*(sin(w*t + p) - 0.4*sin(2*(w*t + p))))";
+  std::vector<std::pair<std::string, double>> constants{
+      {"a", kDepth}, {"c", kBallClearance}, {"p", kPhase}, {"w", kRate}};
+  if (drive == BallDrive::slide) {
+    mechanism.drivers.push_back({"push", DrivenSlide{"guide"}, 0.0, 0.0, Expression{way, constants}});
+  } else {
+    // The law of cosines.
+    constants.insert(constants.end(), {{"l", kRodLength}, {"o", kPivotPlace}, {"r", kCrankLength}});
+    const std::string reach = "(" + way + " - o)";
+    const Expression angle{"acos((" + reach + "^2 + r^2 - l^2)/(2*r*" + reach + "))", constants};
+    mechanism.bodies[0].points.push_back({"pivot", {kPivotPlace, 0.0}});
+    mechanism.bodies.push_back(oracle::make_bar("crank", kCrankLength, 1.0, 0.1, {}, oracle::start_at(0.9)));
+    mechanism.bodies.push_back(oracle::make_bar("rod", kRodLength, 1.0, 0.1, {}, oracle::start_at(-0.2)));
+    oracle::add_revolute(mechanism, "pivot", {kFrameName, "pivot"}, {"crank", "a"});
+    oracle::add_revolute(mechanism, "crank_pin", {"crank", "b"}, {"rod", "a"});
+    oracle::add_revolute(mechanism, "wrist", {"rod", "b"}, {"ball_0", "journal"});
+    mechanism.drivers.push_back({"motor", DrivenAngle{"crank"}, 0.0, 0.0, angle});
+  }
   if (!with_tail) return mechanism;
   mechanism.bodies.push_back({"tail", 0.1, 0.01, {}, {{"a", {0.3, 0.1}}}, oracle::start_at(0.3)});
   oracle::add_revolute(mechanism, "tail", {"ball_0", "journal"}, {"tail", "a"});
