@@ -48,15 +48,17 @@ void StatisticsAccumulator::reset() {
 // Written so that the first value, and one after NaN, are taken.
 void StatisticsAccumulator::note_extremes(double time, std::span<const double> values) {
   assert(values.size() == last_.size());
-  std::int64_t any = 0;
+  const double* x = values.data();
+  const double* minimum = minimum_.data();
+  const double* maximum = maximum_.data();
+  std::int64_t any = 0;  // not a bool, and no branch: several channels at once
   for (std::size_t k = 0; k < last_.size(); ++k) {
-    any |= static_cast<std::int64_t>(!(values[k] >= minimum_[k]) | !(values[k] <= maximum_[k]));
+    any |= static_cast<std::int64_t>(!(x[k] >= minimum[k])) | static_cast<std::int64_t>(!(x[k] <= maximum[k]));
   }
   if (any == 0) return;
   for (std::size_t k = 0; k < last_.size(); ++k) {
-    const double x = values[k];
-    if (x < minimum_[k] || std::isnan(minimum_[k])) minimum_[k] = x, minimum_time_[k] = time;
-    if (x > maximum_[k] || std::isnan(maximum_[k])) maximum_[k] = x, maximum_time_[k] = time;
+    if (x[k] < minimum_[k] || std::isnan(minimum_[k])) minimum_[k] = x[k], minimum_time_[k] = time;
+    if (x[k] > maximum_[k] || std::isnan(maximum_[k])) maximum_[k] = x[k], maximum_time_[k] = time;
   }
 }
 

@@ -97,8 +97,9 @@ void PeakSearch::search() {
     const double gain_after = std::abs(rise) * reach_after;
     const double gain_before = std::abs(fall) * reach_before;
     const double gain = gain_after > gain_before ? gain_after : gain_before;
-    const bool is_out = (b[k] + gain > greatest[k]) | (b[k] - gain < least[k]);
-    any |= static_cast<std::int64_t>((rise * fall > 0.0) & is_out);
+    const auto is_over = static_cast<std::int64_t>(b[k] + gain > greatest[k]);
+    const auto is_under = static_cast<std::int64_t>(b[k] - gain < least[k]);
+    any |= static_cast<std::int64_t>(rise * fall > 0.0) & (is_over | is_under);
   }
   if (any == 0) return;
   for (std::size_t k = 0; k < n_signals_; ++k) {
