@@ -203,12 +203,9 @@ void StageRun::stop_outside_slots() {
   for (std::size_t k = 0; k < motion_.gaps().size(); ++k) {
     if (!(motion_.gaps()[k].overrun > 0.0)) continue;
     const Contact& contact = system_.tables.contacts[k];
-    record_.status = StageStatus::failed;
-    record_.message = fmt::format(
-        "E-NUM-005: stopped at t = {:.9g} s (cycle {}): joint '{}': its journal left its bearing, {:.4g} mm "
-        "past the end of the slot; make its bearing_length longer, or its motion shorter",
-        motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1,
-        system_.mechanism.joints[contact.joint].name, 1e3 * motion_.gaps()[k].overrun);
+    stop("E-NUM-005", fmt::format("joint '{}': its journal left its bearing, {:.4g} mm "
+                                  "past the end of the slot; make its bearing_length longer, or its motion shorter",
+                                  system_.mechanism.joints[contact.joint].name, 1e3 * motion_.gaps()[k].overrun));
     return;
   }
 }
@@ -219,13 +216,11 @@ void StageRun::stop_open() {
   if (!open || record_.status != StageStatus::finished) return;
   const bool is_angle = system_.tables.closures[*open].kind == ClosureKind::angle;
   const double gap = norm(motion_.equations().workspace.closure_gap[*open]);
-  record_.status = StageStatus::failed;
-  record_.message = fmt::format(
-      "E-NUM-007: stopped at t = {:.9g} s (cycle {}): {} can no longer be held together, it is open by {}; the other "
-      "joints hold it to second order only, or they leave it no way on",
-      motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1,
-      name_closure(system_.mechanism, system_.topology, system_.topology.closures[*open]),
-      is_angle ? fmt::format("{:.3g} deg", gap * 180.0 / std::numbers::pi) : fmt::format("{:.3g} um", 1e6 * gap));
+  stop("E-NUM-007", fmt::format("{} can no longer be held together, it is open by {}; the other "
+                                "joints hold it to second order only, or they leave it no way on",
+                                name_closure(system_.mechanism, system_.topology, system_.topology.closures[*open]),
+                                is_angle ? fmt::format("{:.3g} deg", gap * 180.0 / std::numbers::pi)
+                                         : fmt::format("{:.3g} um", 1e6 * gap)));
 }
 
 // All samples that fall into the step just taken.
@@ -259,22 +254,25 @@ bool StageRun::fail_at_law_end() {
     const ContactGap& gap = equations.workspace.contact_forces[k].gap;
     const std::optional<NormalForceEnd> end = find_normal_force_end(contact, gap);
     if (!end || gap.penetration < (1.0 - kNear) * end->at.penetration) continue;
-    record_.status = StageStatus::failed;
-    record_.message = fmt::format(
-        "E-NUM-012: stopped at t = {:.9g} s (cycle {}): joint '{}': its law {} has no force beyond {}{}, at a "
-        "penetration of {:.4g} um; take a law without an end, or loads that stay below it",
-        motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1,
-        system_.mechanism.joints[contact.joint].name, end->law, end->formula,
-        std::isfinite(end->at.force) ? fmt::format(" = {:.0f} N", end->at.force) : "", 1e6 * end->at.penetration);
+    stop("E-NUM-012", fmt::format("joint '{}': its law {} has no force beyond {}{}, at a "
+                                  "penetration of {:.4g} um; take a law without an end, or loads that stay below it",
+                                  system_.mechanism.joints[contact.joint].name, end->law, end->formula,
+                                  std::isfinite(end->at.force) ? fmt::format(" = {:.0f} N", end->at.force) : "",
+                                  1e6 * end->at.penetration));
     return true;
   }
   return false;
 }
 
-void StageRun::fail(const std::string& code, const std::string& reason) {
+void StageRun::stop(const std::string& code, const std::string& reason) {
   record_.status = StageStatus::failed;
   record_.message = fmt::format("{}: stopped at t = {:.9g} s (cycle {}): {}", code, motion_.time(),
                                 static_cast<int>(motion_.time() / record_.cycle_time) + 1, reason);
+}
+
+// With what may be the cause, as far as it can be seen.
+void StageRun::fail(const std::string& code, const std::string& reason) {
+  stop(code, reason);
   if (const int lost =
           find_load_in_the_way(motion_.time(), motion_.find_smallest_step(), motion_.y(), motion_.equations());
       lost >= 0) {

@@ -45,6 +45,7 @@ class StageRun {
   void fail_step();
   void stop_without_end();
   [[nodiscard]] std::string explain_cost() const;
+  void stop(const std::string& code, const std::string& reason);
   void fail(const std::string& code, const std::string& reason);
   bool fail_at_law_end();
   void finish();

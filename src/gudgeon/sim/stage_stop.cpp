@@ -22,22 +22,17 @@ void StageRun::fail_step() {
   const auto& places = motion_.stall()->places;
   std::string listed;
   for (std::size_t k = 0; k < std::min(places.size(), kFew); ++k) {
-    listed += fmt::format("{}{} at \"{}\"",
-                          k == 0                   ? ""
-                          : k + 1 == places.size() ? " and "
-                                                   : ", ",
-                          places[k].owner, places[k].text);
+    const char* before = k == 0 ? "" : k + 1 == places.size() ? " and " : ", ";
+    listed += fmt::format("{}{} at \"{}\"", before, places[k].owner, places[k].text);
   }
   if (places.size() > kFew) listed += fmt::format(" and {} more", places.size() - kFew);
-  record_.status = StageStatus::failed;
-  record_.message = fmt::format(
-      "E-NUM-006: stopped at t = {:.9g} s (cycle {}): {} {} back and forth: on each side the mechanism is pushed to "
-      "the "
-      "other one, and no force between both holds it; let the load change gradually there, or give joints the friction "
-      "that is meant{}",
-      motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1, listed,
-      places.size() == 1 ? "jumps" : "jump",
-      places.size() == 1 ? "" : "; jumps at different places need a formula each");
+  stop("E-NUM-006",
+       fmt::format(
+           "{} {} back and forth: on each side the mechanism is pushed to "
+           "the other one, and no force between both holds it; let the load change gradually there, or give joints the "
+           "friction that is meant{}",
+           listed, places.size() == 1 ? "jumps" : "jump",
+           places.size() == 1 ? "" : "; jumps at different places need a formula each"));
 }
 
 // What a mechanism does that goes on in ever shorter steps.
@@ -67,13 +62,11 @@ void StageRun::stop_without_end() {
   if (const std::int64_t changes = motion_.n_piece_changes(); changes > motion_.statistics().accepted_steps / 10) {
     cause += fmt::format("; formulas and curves of loads changed their piece {} times", changes);
   }
-  record_.status = StageStatus::failed;
-  record_.message = fmt::format(
-      "E-NUM-008: stopped at t = {:.9g} s (cycle {}): at this pace the run would not end: the last {} evaluations, in "
-      "steps of {:.2g} s, brought the motion on by {:.2g} s, and a cycle is {:.4g} s{}; look at what makes it so fast: "
-      "a load that grows without bound, a stiffness too large for its mass",
-      motion_.time(), static_cast<int>(motion_.time() / record_.cycle_time) + 1, RunPace::kWindow, pace_.last_step(),
-      pace_.last_advance(), record_.cycle_time, cause);
+  stop("E-NUM-008", fmt::format("at this pace the run would not end: the last {} evaluations, in "
+                                "steps of {:.2g} s, brought the motion on by {:.2g} s, and a cycle is {:.4g} s{}; look "
+                                "at what makes it so fast: "
+                                "a load that grows without bound, a stiffness too large for its mass",
+                                RunPace::kWindow, pace_.last_step(), pace_.last_advance(), record_.cycle_time, cause));
 }
 
 // Why a stage that did finish took as long as it did.

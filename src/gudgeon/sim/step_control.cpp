@@ -21,8 +21,8 @@ constexpr double kLastErrorExponent = 0.04;
 constexpr double kLeastError = 1e-10;
 constexpr double kLeastLogError = -9.0;  // ln of 1.2e-4
 // For the ledger a step keeps at most this share of its tolerance. What it is off by may be rounding, or the work of
-// feedback, which no length of a step would mend; unless it may as well be what the losses of contacts are off by, which
-// the motion need not feel.
+// feedback, which no length of a step would mend; unless it may as well be what the losses of contacts are off by,
+// which the motion need not feel.
 constexpr double kStrictest = 0.1;
 
 }  // namespace
