@@ -70,6 +70,7 @@ class PlayStart {
   bool close(const std::vector<GivenStart>& given) {
     closer_.q = start_;
     if (!closer_.close()) return false;
+    if (start_.size() == 0) return true;  // drivers prescribe everything
     pinned_ = closer_.select_free(given);
     if (!closer_.close(pinned_)) return false;
     for (int iteration = 0; iteration < kMostPlaySteps; ++iteration) {
@@ -142,6 +143,7 @@ class PlayStart {
 
   [[nodiscard]] MatrixXd make_matrix(const std::vector<StartQuantity>& quantities) const {
     MatrixXd matrix(static_cast<Index>(quantities.size()), closer_.q.size());
+    if (matrix.size() == 0) return matrix;
     for (std::size_t k = 0; k < quantities.size(); ++k) {
       matrix.row(static_cast<Index>(k)) = quantities[k].make_row(closer_.q.size());
     }

@@ -12,7 +12,8 @@
 
 namespace gudgeon {
 
-/// One figure a formula or curve and what it runs over, with the points of a curve; topic "given".
+/// One figure a formula or curve and what it runs over, with the points of a curve; topic "given". Samples of one
+/// formula over the same, with what else it depends on held elsewhere, share a figure; they have to follow each other.
 std::vector<Figure> make_function_figures(std::span<const FunctionSamples> functions);
 
 }  // namespace gudgeon
