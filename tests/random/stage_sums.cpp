@@ -67,7 +67,7 @@ void expect_volumes(const RandomModel& model, const StageRecord& stage) {
   double by_friction = 0.0;  // [J] what the volumes tell of friction
   double at_most = 0.0;      // [J] what friction is at most at the volumes' way
   for (const JointWear& wear : stage.wear) {
-    EXPECT_NEAR(wear.removed_volume, wear.archard_volume, 1e-9 * wear.archard_volume) << wear.joint;
+    EXPECT_NEAR(wear.removed_volume, wear.archard_volume, 1e-9 * std::abs(wear.archard_volume)) << wear.joint;
     const auto& joint = model.mechanism.joints[static_cast<std::size_t>(find_joint(model.mechanism, wear.joint))];
     const WearLine line = find_wear_line(*find_contact(joint.kind));
     if (line.volume_a_metre_and_newton == 0.0) {
