@@ -33,7 +33,7 @@ namespace {
 #ifdef GUDGEON_SANITIZE
 constexpr int kSeedsAFamily = 4;
 #else
-constexpr int kSeedsAFamily = 30;
+constexpr int kSeedsAFamily = 40;
 #endif
 constexpr int kSeedsATest = 10;
 /// [m, rad] Of the largest length, about 1 m.
