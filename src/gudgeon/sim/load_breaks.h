@@ -68,8 +68,7 @@ class LoadBreaks {
   enum class Kind { formula, curve, motion, share };
   struct Watched {
     Kind kind;
-    std::size_t
-        index;  // of the break in LoadScratch::breaks, the curve in curves_, the break in motion_states_, the slide
+    std::size_t index;  // of the break in LoadScratch::breaks or motion_states_, the curve in curves_, the slide
     double low;
     double high;
   };
