@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <thread>
 #include <utility>
 
@@ -147,7 +148,9 @@ int run_cases(std::vector<CaseRun>& cases, int n_threads, Existing existing, Pro
   for (int i = 0; i < std::min(2 * n_threads - 1, n_cases); ++i) threads.emplace_back(work);
   while (n_done.load() < n_cases) {
     if (interruption.signal() != 0 && stop.request_stop()) {
-      display.write_note("stopping at the next step; once more ends at once");
+      display.write_note(interruption.signal() == SIGINT
+                             ? "stopping at the next step; once more ends at once"
+                             : "stopping at the next step; SIGTERM once more after 2 s, or Ctrl-C, ends at once");
     }
     display.refresh();
     std::this_thread::sleep_for(kRefreshInterval);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Ctrl-C and SIGTERM: the first one asks the work to stop, the second one ends the program.
+// Ctrl-C and SIGTERM: the first one asks the work to stop, a later one ends the program (signal_rule.h).
 #pragma once
 
 namespace gudgeon {
 
-/// Listens while it lives; one at a time.
+/// Listens while it lives, and after a signal for as long as the program does; one at a time.
 class Interruption {
  public:
   Interruption();
@@ -14,7 +14,7 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  /// The signal that came, or 0.
+  /// The signal that came first, or 0.
   [[nodiscard]] int signal() const;
 };
 
