@@ -119,5 +119,16 @@ TEST(Overrides, OddPathsAreErrors) {
   }
 }
 
+TEST(Overrides, MayNotNestDeepOrHoldControls) {
+  std::string deep = "1";
+  for (int k = 0; k < 100000; ++k) deep = "[" + deep;
+  const std::string errors = render_all(read_with("", {{"bodies.bar.mass", deep}}));
+  EXPECT_NE(errors.find("E-TOML-002: the value given to 'bodies.bar.mass' nests deeper"), std::string::npos) << errors;
+  EXPECT_LT(errors.size(), 3000U);
+  const std::string controls = render_all(read_with("", {{"bodies.bar.mass", "1\x1b[2J kg"}}));
+  EXPECT_NE(controls.find("E-FILE-015"), std::string::npos) << controls;
+  EXPECT_EQ(controls.find('\x1b'), std::string::npos);
+}
+
 }  // namespace
 }  // namespace gudgeon

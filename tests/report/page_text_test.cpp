@@ -12,6 +12,7 @@
 #include "gudgeon/report/html/block_store.h"
 #include "gudgeon/report/html/html_text.h"
 #include "gudgeon/report/html/json_text.h"
+#include "gudgeon/report/svg_canvas.h"
 
 namespace gudgeon {
 namespace {
@@ -77,6 +78,16 @@ TEST(BlockStore, SharesBlocksByKey) {
   EXPECT_EQ(n_made, 2);
   // 1.0f and 2.0f, little-endian: 00 00 80 3f 00 00 00 40.
   EXPECT_THAT(blocks.html(), HasSubstr("id=\"block-0\" data-type=\"f4\">AACAPwAAAEA=</script>"));
+}
+
+// Names of a strange run file may hold anything.
+TEST(PageText, ShowsControlCharacters) {
+  JsonText json;
+  json.add("a\x1b[31m\u009b");
+  EXPECT_EQ(json.text(), "\"a\\\\u001B[31m\\\\u009B\"");
+  EXPECT_EQ(escape_html("a\x1b<\r"), "a\\u001B&lt;\\u000D");
+  SvgCanvas canvas(100.0, 100.0, "a\x1b\u202e");
+  EXPECT_THAT(canvas.render(), HasSubstr("a\\u001B\\u202E"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "gudgeon/app/text_output.h"
+#include "gudgeon/base/shown_text.h"
 
 namespace gudgeon {
 namespace {
@@ -55,7 +56,7 @@ ProgressStyle find_progress_style() { return ::isatty(STDERR_FILENO) ? ProgressS
 
 ProgressDisplay::ProgressDisplay(ProgressStyle style, const std::vector<std::string>& case_names) : style_(style) {
   cases_.resize(case_names.size());
-  for (std::size_t i = 0; i < case_names.size(); ++i) cases_[i].name = case_names[i];
+  for (std::size_t i = 0; i < case_names.size(); ++i) cases_[i].name = show_controls(case_names[i]);
 }
 
 void ProgressDisplay::begin(int index) {
@@ -92,7 +93,7 @@ void ProgressDisplay::refresh() {
     write_outcomes(text);
     style_ == ProgressStyle::bars ? write_bars(text) : write_lines(text);
   }
-  if (!text.empty()) write_stderr(text);
+  if (!text.empty()) write_display(text);
 }
 
 void ProgressDisplay::write_note(std::string_view text) {
@@ -100,7 +101,7 @@ void ProgressDisplay::write_note(std::string_view text) {
   std::string above;
   if (n_lines_ > 0) above = fmt::format("\x1b[{}A\r\x1b[J", n_lines_);
   n_lines_ = 0;
-  write_stderr(above + std::string(text) + "\n");
+  write_display(above + std::string(text) + "\n");
 }
 
 void ProgressDisplay::write_outcomes(std::string& text) {

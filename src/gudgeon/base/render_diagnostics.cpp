@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/base/shown_text.h"
 
 namespace gudgeon {
 
@@ -38,21 +40,6 @@ std::string_view find_line(std::string_view text, int number) {
   return text;
 }
 
-/// Takes the next code point off UTF-8 text; a broken sequence counts byte by byte.
-char32_t take_code_point(std::string_view& text) {
-  const auto first = static_cast<unsigned char>(text.front());
-  const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-  char32_t code = length == 1 ? first : first & (0xFFU >> (length + 1));
-  std::size_t taken = 1;
-  for (; taken < length && taken < text.size(); ++taken) {
-    const auto next = static_cast<unsigned char>(text[taken]);
-    if ((next & 0xC0U) != 0x80U) break;
-    code = (code << 6U) | (next & 0x3FU);
-  }
-  text.remove_prefix(taken);
-  return code;
-}
-
 /// Columns that a code point takes in a terminal: none for combining marks, two for East Asian letters and emoji.
 std::size_t display_width(char32_t code) {
   if (code >= 0x300 && code <= 0x36F) return 0;
@@ -60,6 +47,20 @@ std::size_t display_width(char32_t code) {
                     (code >= 0xAC00 && code <= 0xD7A3) || (code >= 0xF900 && code <= 0xFAFF) ||
                     (code >= 0xFE30 && code <= 0xFE6F) || (code >= 0xFF00 && code <= 0xFF60) || code >= 0x1F300;
   return wide ? 2 : 1;
+}
+
+// For what cannot be shown: one column wide, like what it stands for in the count of columns.
+constexpr char32_t kReplacement = 0xFFFD;
+constexpr std::string_view kReplacementText = "\uFFFD";
+
+std::string replace_controls(std::string_view line) {
+  std::string plain;
+  while (!line.empty()) {
+    const std::string_view from = line;
+    const std::optional<char32_t> code = take_code_point(line);
+    plain += code && !is_control(*code) ? from.substr(0, from.size() - line.size()) : kReplacementText;
+  }
+  return plain;
 }
 
 /// What of a line is shown, and where the span is in it.
@@ -79,10 +80,10 @@ Excerpt make_excerpt(std::string_view line, SourceSpan span) {
     if (k == before) shown = rest;
     take_code_point(rest);
   }
-  if (rest.empty() && before == 0) return {std::string{line}, span};
+  if (rest.empty() && before == 0) return {replace_controls(line), span};
   if (rest.empty() && shown.data() == line.data()) shown = {};
   Excerpt excerpt{before > 0 ? "…" : "", span};
-  excerpt.line += shown.substr(0, shown.size() - rest.size());
+  excerpt.line += replace_controls(shown.substr(0, shown.size() - rest.size()));
   if (!rest.empty()) excerpt.line += "…";
   excerpt.span.column += (before > 0 ? 1 : 0) - before;
   excerpt.span.length = std::min(span.length, before + kMostShown - span.column + 1);
@@ -97,11 +98,13 @@ std::string make_caret(std::string_view line, const SourceSpan& span) {
       caret += ' ';
       continue;
     }
-    const char32_t code = take_code_point(line);
+    const char32_t code = take_code_point(line).value_or(kReplacement);
     caret += code == U'\t' ? std::string{'\t'} : std::string(display_width(code), ' ');
   }
   std::size_t width = 0;
-  for (int i = 0; i < span.length && !line.empty(); ++i) width += display_width(take_code_point(line));
+  for (int i = 0; i < span.length && !line.empty(); ++i) {
+    width += display_width(take_code_point(line).value_or(kReplacement));
+  }
   return caret + std::string(std::max<std::size_t>(width, 1), '^');
 }
 
@@ -121,6 +124,17 @@ SourceSpan find_part(const Diagnostic& item, const SourceSpan& whole, std::strin
   return part;
 }
 
+// [characters] more than any message of ours without a value of the model in it.
+constexpr std::size_t kLongestMessage = 600;
+constexpr std::size_t kLongestNote = 2000;  // lists of names
+
+/// On one line, whatever a name in it holds.
+std::string render_line(std::string_view text, std::size_t most) {
+  std::string line = shorten(show_controls(text), most);
+  std::ranges::replace(line, '\n', ' ');
+  return line;
+}
+
 void render_one(std::string& out, const Diagnostic& item, const SourceMap& source) {
   const auto write = std::back_inserter(out);
   const SourceSpan* span = source.find(item.path);
@@ -129,17 +143,18 @@ void render_one(std::string& out, const Diagnostic& item, const SourceMap& sourc
   const std::string_view line = placed ? find_line(source.text, span->line) : std::string_view{};
   const SourceSpan place = placed ? find_part(item, *span, line) : SourceSpan{};
   if (placed) {
-    fmt::format_to(write, "{}:{}:{}: ", source.file, place.line, place.column);
+    fmt::format_to(write, "{}:{}:{}: ", show_controls(source.file), place.line, place.column);
   } else if (origin != nullptr) {
-    fmt::format_to(write, "{}: ", *origin);
+    fmt::format_to(write, "{}: ", render_line(*origin, kLongestMessage));
   }
-  fmt::format_to(write, "{} {}: {}\n", severity_name(item.severity), item.code, item.message);
+  fmt::format_to(write, "{} {}: {}\n", severity_name(item.severity), item.code,
+                 render_line(item.message, kLongestMessage));
   if (placed) {
     const Excerpt excerpt = make_excerpt(line, place);
     fmt::format_to(write, "{:>5} | {}\n      | {}\n", place.line, excerpt.line, make_caret(excerpt.line, excerpt.span));
-    if (origin != nullptr) fmt::format_to(write, "   set by {}\n", *origin);
+    if (origin != nullptr) fmt::format_to(write, "   set by {}\n", render_line(*origin, kLongestMessage));
   }
-  for (const std::string& note : item.notes) fmt::format_to(write, "   {}\n", note);
+  for (const std::string& note : item.notes) fmt::format_to(write, "   {}\n", render_line(note, kLongestNote));
 }
 
 /// Line and column; what has no place comes first.

@@ -13,6 +13,8 @@ namespace gudgeon {
 
 namespace {
 
+constexpr std::size_t kLongestName = 1000;
+
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 bool same_but_case(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
@@ -54,6 +56,9 @@ const std::string* find_nearest(std::string_view name, std::span<const std::stri
   const std::string* nearest = nullptr;
   std::size_t least = threshold + 1;
   for (const std::string& candidate : candidates) {
+    // So many letters more or fewer are wrong at least; no name of ours is longer than a path of a model.
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    if (longer - std::min(name.size(), candidate.size()) >= least || longer > kLongestName) continue;
     const std::size_t found = same_but_case(name, candidate) ? std::min<std::size_t>(1, distance(name, candidate))
                                                              : distance(name, candidate);
     // Nothing in common is not near.

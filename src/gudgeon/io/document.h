@@ -45,12 +45,19 @@ DocumentNode* find_node(DocumentNode::Table& table, std::string_view key);
 /// What a value is, in words: "a text", "a table" …
 std::string_view kind_name(const DocumentNode& node);
 
-/// A TOML document as a table. Bad syntax adds an error E-TOML-001, registered in source.spans at its line and column,
-/// and returns nothing.
+/// A TOML document as a table. Bad syntax adds an error E-TOML-001, tables that nest too deep E-TOML-002, registered in
+/// source.spans at its line and column, and return nothing.
 std::optional<DocumentNode> parse_document(SourceMap& source, Diagnostics& diagnostics);
 
 /// A single TOML value: number, bool, quoted text, array or inline table. Anything else is taken as an unquoted text.
 DocumentNode parse_value(std::string_view text);
+
+/// Reports E-TOML-002 of what nests too deep, "the file".
+void report_deep_nesting(const std::string& path, std::string_view what, Diagnostics& diagnostics);
+
+/// Reports every key and text under the path that holds a control character other than newline and tab: on a terminal
+/// it would act instead of being shown.
+void check_controls(const DocumentNode& node, const std::string& path, Diagnostics& diagnostics);
 
 /// Registers the places and texts of all values of a document in the source map, under their dotted paths.
 void update_source(const DocumentNode& root, SourceMap& source);

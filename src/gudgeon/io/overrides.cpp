@@ -10,6 +10,7 @@
 #include <charconv>
 #include <utility>
 
+#include "gudgeon/io/nesting.h"
 #include "gudgeon/io/table_reader.h"
 
 namespace gudgeon {
@@ -61,13 +62,20 @@ void list_paths(const DocumentNode& node, const std::string& path, std::vector<s
   }
 }
 
+/// The path that complaints about the override itself have.
+std::string register_override(const Override& change, const std::string& origin, const SourceSpan& span,
+                              SourceMap& source) {
+  const std::string where = fmt::format("(override {})", change.path);
+  source.origins[where] = origin;
+  if (span.line > 0) source.spans[where] = span;
+  return where;
+}
+
 void report_no_path(const DocumentNode& root, const Override& change, const std::string& origin, const SourceSpan& span,
                     SourceMap& source, Diagnostics& diagnostics) {
   std::vector<std::string> paths;
   list_paths(root, "", paths);
-  const std::string where = fmt::format("(override {})", change.path);
-  source.origins[where] = origin;
-  if (span.line > 0) source.spans[where] = span;
+  const std::string where = register_override(change, origin, span, source);
   std::vector<std::string> notes;
   const std::string suggestion = suggest(change.path, paths);
   if (!suggestion.empty()) notes.push_back(suggestion);
@@ -113,9 +121,14 @@ std::vector<Case> read_cases(const DocumentNode& root, SourceMap& source, Diagno
 
 void update_document(DocumentNode& root, const Override& change, const std::string& origin, const SourceSpan& span,
                      SourceMap& source, Diagnostics& diagnostics) {
+  if (find_deep_nesting(change.value)) {
+    const std::string where = register_override(change, origin, span, source);
+    return report_deep_nesting(where, fmt::format("the value given to '{}'", change.path), diagnostics);
+  }
   DocumentNode value = parse_value(change.value);
   value.span = span;
   value.origin = origin;
+  check_controls(value, change.path, diagnostics);
   DocumentNode* holder = find_holder(root, change.path);
   const std::string key = change.path.substr(change.path.rfind('.') + 1);
   DocumentNode* old = holder == nullptr || key.empty() ? nullptr : find_child(*holder, key);

@@ -6,13 +6,17 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "gudgeon/io/document.h"
+#include "gudgeon/io/nesting.h"
 
 namespace gudgeon {
 
 namespace {
+
+constexpr const char* kSyntax = "(syntax)";  // the path of what belongs to no value
 
 /// Finds pieces of the text by line and column, which the library counts in code points.
 class TextIndex {
@@ -56,6 +60,19 @@ SourceSpan make_span(const toml::source_region& region) {
   return {line, column, one_line ? static_cast<int>(region.end.column) - column : 1 << 16};
 }
 
+/// A text over several lines has the line ends of its file, which mean nothing.
+std::string drop_carriage_returns(std::string text) {
+  for (auto at = text.find("\r\n"); at != std::string::npos; at = text.find("\r\n", at)) text.erase(at, 1);
+  return text;
+}
+
+/// The library reads what is too small for a double as 0; the least number says that it was none.
+double keep_from_zero(double number, std::string_view written) {
+  const std::string_view digits = written.substr(0, written.find_first_of("eE"));
+  const bool lost = number == 0.0 && digits.find_first_of("123456789") != std::string_view::npos;
+  return lost ? std::numeric_limits<double>::denorm_min() : number;
+}
+
 DocumentNode make_node(const toml::node& from, const TextIndex& text);
 
 DocumentNode::Table make_table(const toml::table& from, const TextIndex& text) {
@@ -88,11 +105,23 @@ DocumentNode make_node(const toml::node& from, const TextIndex& text) {
   } else if (const auto* integer = from.as_integer()) {
     node.value = static_cast<double>(integer->get());
   } else if (const auto* number = from.as_floating_point()) {
-    node.value = number->get();
+    node.value = keep_from_zero(number->get(), node.written);
   } else if (const auto* string = from.as_string()) {
-    node.value = string->get();
+    node.value = drop_carriage_returns(string->get());
   }
   return node;
+}
+
+std::string find_next_step(std::string_view trouble) {
+  if (trouble.find("not representable in 64 bits") != std::string_view::npos) {
+    return "whole numbers go from -9223372036854775808 to 9223372036854775807; others need a point or an exponent: "
+           "1e20";
+  }
+  if (trouble.find("floating-point") != std::string_view::npos &&
+      trouble.find("could not be interpreted") != std::string_view::npos) {
+    return "numbers go up to 1.8e308 in size";
+  }
+  return "a text needs quotes, a quantity with a unit too: mass = \"148 g\"";
 }
 
 void clear_spans(DocumentNode& node) {
@@ -110,15 +139,21 @@ void clear_spans(DocumentNode& node) {
 }  // namespace
 
 std::optional<DocumentNode> parse_document(SourceMap& source, Diagnostics& diagnostics) {
+  if (const auto place = find_deep_nesting(source.text)) {
+    source.spans[kSyntax] = {place->line, place->column, 1};
+    report_deep_nesting(kSyntax, "the file", diagnostics);
+    return std::nullopt;
+  }
   try {
     const toml::table table = toml::parse(std::string_view{source.text}, std::string_view{source.file});
-    return make_node(table, TextIndex{source.text});
+    DocumentNode root = make_node(table, TextIndex{source.text});
+    check_controls(root, "", diagnostics);
+    return root;
   } catch (const toml::parse_error& error) {
     const auto position = error.source().begin;
-    const std::string path = "(syntax)";
-    source.spans[path] = {static_cast<int>(position.line), static_cast<int>(position.column), 1};
-    diagnostics.error("E-TOML-001", path, fmt::format("this is not valid TOML: {}", error.description()),
-                      {"a text needs quotes, a quantity with a unit too: mass = \"148 g\""});
+    source.spans[kSyntax] = {static_cast<int>(position.line), static_cast<int>(position.column), 1};
+    diagnostics.error("E-TOML-001", kSyntax, fmt::format("this is not valid TOML: {}", error.description()),
+                      {find_next_step(error.description())});
     return std::nullopt;
   }
 }

@@ -9,13 +9,15 @@
 #include <iterator>
 #include <utility>
 
+#include "gudgeon/base/shown_text.h"
+
 namespace gudgeon {
 namespace {
 
-/// The text with the characters that XML keeps for itself written as entities, control characters left out.
+/// The text with the characters that XML keeps for itself written as entities.
 std::string escape(std::string_view text) {
   std::string escaped;
-  for (const char c : text) {
+  for (const char c : show_controls(text)) {
     switch (c) {
       case '&':
         escaped += "&amp;";
@@ -30,7 +32,7 @@ std::string escape(std::string_view text) {
         escaped += "&quot;";
         break;
       default:
-        if (static_cast<unsigned char>(c) >= 0x20) escaped += c;
+        escaped += c;
     }
   }
   return escaped;

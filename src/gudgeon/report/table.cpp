@@ -10,12 +10,12 @@
 #include <array>
 #include <stdexcept>
 
+#include "gudgeon/base/shown_text.h"
+
 namespace gudgeon {
 
 namespace {
 
-constexpr std::string_view kBold = "\033[1m";
-constexpr std::string_view kPlain = "\033[0m";
 constexpr std::string_view kIndent = "  ";
 constexpr std::string_view kGap = "  ";
 
@@ -37,19 +37,6 @@ bool is_within(char32_t code, const Ranges& ranges) {
   return std::ranges::any_of(ranges, [code](CodeRange r) { return code >= r.first && code <= r.last; });
 }
 
-/// Takes the first letter off; a byte that is not UTF-8 counts as a letter of its own.
-char32_t take_code_point(std::string_view& text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 1;
-  char32_t code = length == 1 ? lead : static_cast<char32_t>(lead & (0x7F >> length));
-  std::size_t used = 1;
-  while (used < length && used < text.size() && (byte(used) & 0xC0) == 0x80) code = (code << 6) | (byte(used++) & 0x3F);
-  if (used < length) used = 1, code = U'?';
-  text.remove_prefix(used);
-  return code;
-}
-
 std::string pad(std::string_view cell, std::size_t width, Alignment alignment) {
   const std::string blanks(width - std::min(width, find_display_width(cell)), ' ');
   return alignment == Alignment::left ? std::string(cell) + blanks : blanks + std::string(cell);
@@ -62,7 +49,7 @@ void trim_end(std::string& line) { line.erase(line.find_last_not_of(' ') + 1); }
 std::size_t find_display_width(std::string_view text) {
   std::size_t width = 0;
   while (!text.empty()) {
-    const char32_t code = take_code_point(text);
+    const char32_t code = take_code_point(text).value_or(U'?');
     if (is_within(code, kNoWidth)) continue;
     width += is_within(code, kTwoWide) ? 2 : 1;
   }

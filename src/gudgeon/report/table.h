@@ -10,6 +10,10 @@
 
 namespace gudgeon {
 
+/// What a terminal is told for bold type and back.
+inline constexpr std::string_view kBold = "\033[1m";
+inline constexpr std::string_view kPlain = "\033[0m";
+
 enum class Alignment { left, right };
 
 struct TableColumn {

@@ -6,13 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "gudgeon/base/shown_text.h"
 #include "gudgeon/report/figures/display_unit.h"
 
 namespace gudgeon {
 
 std::string escape_html(std::string_view text) {
   std::string escaped;
-  for (const char c : text) {
+  for (const char c : show_controls(text)) {
     if (c == '&') {
       escaped += "&amp;";
     } else if (c == '<') {

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "gudgeon/base/shown_text.h"
+
 namespace gudgeon {
 
 void JsonText::separate() {
@@ -32,7 +34,7 @@ void JsonText::key(std::string_view name) {
 void JsonText::add(std::string_view text) {
   separate();
   text_ += '"';
-  for (const char c : text) {
+  for (const char c : show_controls(text)) {
     if (c == '"' || c == '\\') {
       text_ += '\\';
       text_ += c;
