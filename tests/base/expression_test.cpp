@@ -144,5 +144,24 @@ INSTANTIATE_TEST_SUITE_P(
                     BadExpression{"t*_pi", 2, "'_pi'"}, BadExpression{"3*(t))", 5, "')'"},
                     BadExpression{"nosuch(t)", 0, "'nosuch'"}));
 
+// muParser takes 20000 characters, and what is asked of each comparison makes a formula longer to it.
+TEST(Expression, TellsThatAFormulaIsTooLong) {
+  const auto repeat = [](const std::string& piece, int times) {
+    std::string text = "t";
+    for (int k = 0; k < times; ++k) text += piece;
+    return text;
+  };
+  EXPECT_NO_THROW(ExpressionEvaluator(repeat("+t", 9000), {}, {"t"}));
+  for (const std::string& text : {repeat("+t", 11000), repeat("+(t>1)", 3000)}) {
+    try {
+      const ExpressionEvaluator evaluator(text, {}, {"t"});
+      FAIL() << "it was understood";
+    } catch (const ExpressionError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("too long: it may have 20000 characters"));
+      EXPECT_EQ(error.position(), 0U);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gudgeon

@@ -81,6 +81,11 @@ std::string describe(const mu::ParserError& error) {
     case mu::ecSTR_RESULT:
     case mu::ecUNTERMINATED_STRING:
       return "text in quotes has no value";
+    case mu::ecEXPRESSION_TOO_LONG:
+      return "it is too long: it may have 20000 characters, and fewer where it compares, or uses abs, min, max and "
+             "the like; a curve can hold more";
+    case mu::ecIDENTIFIER_TOO_LONG:
+      return "it holds a name of more than 100 characters";
     default:
       return error.GetToken().empty() ? "it cannot be understood here" : quoted + " does not fit here";
   }
@@ -91,7 +96,8 @@ ExpressionError translate(const mu::ParserError& error, const std::string& text)
   std::size_t position = error.GetPos() < 0 ? 0 : static_cast<std::size_t>(error.GetPos());
   position = std::min(position, text.size());
   const std::string& token = error.GetToken();
-  if (error.GetCode() == mu::ecINTERNAL_ERROR) return {describe(error), 0};  // it tells no place
+  const bool placeless = error.GetCode() == mu::ecINTERNAL_ERROR || error.GetCode() == mu::ecEXPRESSION_TOO_LONG;
+  if (placeless) return {describe(error), 0};
   if (!token.empty() && text.compare(position, token.size(), token) != 0) {
     const std::size_t before = text.rfind(token, position);
     if (before != std::string::npos) position = before;
@@ -208,7 +214,11 @@ ExpressionEvaluator::ExpressionEvaluator(const std::string& text,
     throw ExpressionError("',' outside a function's parentheses: a formula has one value",
                           std::min(text.find(','), text.size()));
   }
-  implementation_->mark(text);
+  try {
+    implementation_->mark(text);
+  } catch (const mu::ParserError& error) {
+    throw translate(error, text);  // marked, it may be too long
+  }
 }
 
 ExpressionEvaluator::ExpressionEvaluator(ExpressionEvaluator&& other) noexcept = default;
