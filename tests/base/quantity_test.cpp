@@ -76,7 +76,9 @@ INSTANTIATE_TEST_SUITE_P(
                     BadQuantity{"1e300 Gm^3", "too large"}, BadQuantity{"3 mmm", "unknown unit 'mmm'; did you mean 'mm'?"},
                     BadQuantity{"3 Mpa", "unknown unit 'Mpa'"}, BadQuantity{"1 gpa", "did you mean 'GPa'?"},
                     BadQuantity{"3 Nm", "did you mean 'N m'?"}, BadQuantity{"3 degrees", "did you mean 'deg'?"},
-                    BadQuantity{"3 m^", "power of 'm'"}, BadQuantity{"3 m^0.5", "power of 'm'"}, BadQuantity{"3 m^99", "power of 'm'"},
+                    BadQuantity{"3 m^", "power of 'm'"}, BadQuantity{"3 m^0.5", "power of 'm'"}, BadQuantity{"3 m^99", "power of 'm'"}, BadQuantity{"3 m^-2147483648", "from -9 to 9"},
+                    BadQuantity{"3 m^10", "from -9 to 9"}, BadQuantity{"3 m^99999999999", "power of 'm'"},
+                    BadQuantity{"1e-320 nm", "too small"}, BadQuantity{"1e-999 m", "1e-999"},
                     BadQuantity{"3 m/", "missing after '/'"}, BadQuantity{"3 5 m", "'5 m' is not a unit"}, BadQuantity{"3,5 mm", "',5'"},
                     BadQuantity{"1/0 m", "divides by zero"}, BadQuantity{"0x10 m", "'x10'"}, BadQuantity{"3 // m", "expected at '/ m'"}));
 

@@ -18,7 +18,7 @@ Mechanism make_every_kind() {
   Mechanism mechanism;
   mechanism.name = "all";
   mechanism.description = "quotes \" and \\ and\nlines\tand µ";
-  mechanism.gravity = {0.1 + 0.2, -1e-300};
+  mechanism.gravity = {0.1 + 0.2, -1e-99};
   mechanism.bodies = {
       {"frame", 0.0, 0.0, {}, {{"O", {}}}, {}},
       {"a", 1.0 / 3.0, 2e-7, {1e22, 3.0}, {{"O", {}}, {"P", {0.1, -0.0}}}, {0.1, 0.2, Vec2{1, 2}, Vec2{3, 4}}},

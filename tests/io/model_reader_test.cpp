@@ -202,6 +202,20 @@ TEST(ModelReader, ReportsBadSyntaxAtItsPlace) {
   EXPECT_TRUE(errors_of("\xff\xfe").starts_with("m.toml:1:")) << errors_of("\xff\xfe");
 }
 
+// Line ends of any kind may stand within a text.
+TEST(ModelReader, ReadsTextsOverSeveralLinesFromAnySystem) {
+  const ModelFile model = read_model_text("m.toml", "name = \"a\"\r\ndescription = \"\"\"one\r\n\ttwo\"\"\"\r\n");
+  EXPECT_EQ(model.mechanism.description, "one\n\ttwo");
+  EXPECT_EQ(rendered(model).find("E-FILE-015"), std::string::npos);
+}
+
+TEST(ModelReader, CutsLongValuesInMessages) {
+  const std::string text = replaced(kGood, "mass = 1\n", "mass = \"" + std::string(100000, '3') + "x\"\n");
+  const std::string errors = errors_of(text);
+  EXPECT_NE(errors.find("E-FILE-004"), std::string::npos);
+  EXPECT_LT(errors.size(), 2000U);
+}
+
 TEST(ModelReader, SurvivesTablesOfTheWrongKind) {
   for (const char* text : {"", "bodies = 3", "[bodies]\ncrank = 3", "[joints]\nA = [1]", "study = 1", "cases = 1",
                            "[cases]\na = 2", "[cases.a]\nset = 3", "[study]\npublished = 3", "[study]\npublished = [3]",
@@ -247,6 +261,19 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"body = \"crank\"", "slide = \"guide\"", "a speed (m/s) is needed"},
         Spoiled{"body = \"crank\"\n", "", "body or slide is missing"},
         Spoiled{"cycles = 3", "cycles = 2.5", "a whole number is needed"},
+        Spoiled{"cycles = 3", "cycles = 3000000000", "whole numbers go from -1000000000 to 1000000000 here"},
+        Spoiled{"cycles = 3", "cycles = -1e300", "whole numbers go from -1000000000 to 1000000000 here"},
+        Spoiled{"cycles = 3", "cycles = 99999999999999999999",
+                "whole numbers go from -9223372036854775808 to 9223372036854775807"},
+        Spoiled{"mass = 1\n", "mass = 1e400\n", "numbers go up to 1.8e308 in size"},
+        Spoiled{"mass = 1\n", "mass = 1e101\n", "E-FILE-016"}, Spoiled{"mass = 1\n", "mass = 1e-400\n", "E-FILE-016"},
+        Spoiled{"mass = 1\n", "mass = \"1e-400 kg\"\n", "out of the range"},
+        Spoiled{"[\"23 mm\", 1e-3]", "[\"23 mm\", \"-1e200 mm\"]",
+                "center_of_mass: y is \"-1e200 mm\", -1e+197 in SI; values are 0 or from 1e-100 to 1e+100 in size"},
+        Spoiled{"cycles = 3", "cycle_time = \"5e-324 s\"", "cycle_time is \"5e-324 s\""},
+        Spoiled{"name = \"press\"", "name = \"pr\\u001b[2Jess\"",
+                "the text \"pr\\u001B[2Jess\" holds the control character U+001B"},
+        Spoiled{"[bodies.frame]", "[bodies.\"fr\\name\"]\n[bodies.frame]", "holds the control character U+000A"},
         Spoiled{"cycles = 3", "cycle_time = 3\ncycle_driver = \"crank\"", "exclude each other"},
         Spoiled{"compare_ideal = false", "compare_ideal = 0", "true or false is needed"},
         Spoiled{"deposition = \"point\"", "deposition = \"points\"", "possible: spread, point   Did you mean 'point'?"},

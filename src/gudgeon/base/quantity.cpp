@@ -82,6 +82,7 @@ class QuantityParser {
     if (!good) return QuantityError{error_};
     const double value = product_.value();
     if (!std::isfinite(value)) return QuantityError{"the value is too large"};
+    if (value == 0.0 && product_.number != 0.0) return QuantityError{"the value is too small"};
     return Quantity{value, product_.dimension};
   }
 
@@ -172,9 +173,9 @@ class QuantityParser {
   bool parse_power(std::string_view symbol, int& power) {
     const auto [end, code] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), power);
     const bool fraction = end != rest_.data() + rest_.size() && (*end == '.');
-    if (code != std::errc{} || fraction || std::abs(power) > kGreatestPower) {
-      return fail(fmt::format("the power of '{}' must be a whole number of at most {}, as in '{}^2'", symbol,
-                              kGreatestPower, symbol));
+    if (code != std::errc{} || fraction || power > kGreatestPower || power < -kGreatestPower) {
+      return fail(fmt::format("the power of '{}' must be a whole number from -{} to {}, as in '{}^2'", symbol,
+                              kGreatestPower, kGreatestPower, symbol));
     }
     rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
     return true;

@@ -72,8 +72,9 @@ std::vector<double> read_numbers(TableReader& table, std::string_view key, doubl
   for (std::size_t k = 0; k < array->size(); ++k) {
     const DocumentNode& entry = (*array)[k];
     const bool bare = std::holds_alternative<double>(entry.value);
-    const auto number = read_quantity(entry, dimension, fmt::format("{}.{}", table.path_of(key), k),
-                                      fmt::format("{}: entry {} of {}", table.subject(), k + 1, key), table.log());
+    const auto number =
+        read_quantity(entry, dimension, fmt::format("{}.{}", table.path_of(key), k),
+                      fmt::format("{}: entry {} of {}", table.subject(), k + 1, key), table.log(), Smallness::any);
     numbers.push_back(number.value_or(kUnread) * (bare ? unit : 1.0));
   }
   return numbers;

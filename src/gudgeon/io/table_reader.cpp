@@ -17,6 +17,11 @@ namespace {
 // Counts beyond this are a slip of the pen and would not fit an int.
 constexpr double kGreatestCount = 1e9;
 
+// Within these bounds three values times one another, an energy or the square of a length times a stiffness, are still
+// numbers and not zero; nothing in nature is beyond them.
+constexpr double kGreatestSize = 1e100;
+constexpr double kLeastSize = 1e-100;
+
 std::string last_part(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
 std::string describe_dimension(Dimension dimension) {
@@ -27,14 +32,26 @@ std::string describe_dimension(Dimension dimension) {
 }  // namespace
 
 std::optional<double> read_quantity(const DocumentNode& node, std::optional<Dimension> dimension,
-                                    const std::string& path, const std::string& label, ReadLog& log) {
+                                    const std::string& path, const std::string& label, ReadLog& log,
+                                    Smallness smallness) {
   const std::string wanted = dimension ? describe_dimension(*dimension) : "a quantity";
   const auto fail = [&](const char* code, const std::string& what, std::vector<std::string> notes = {}) {
     log.diagnostics.error(code, path, fmt::format("{} is {}", label, what), std::move(notes));
     return std::nullopt;
   };
+  const auto check_size = [&](double value) -> std::optional<double> {
+    const double size = std::abs(value);
+    const bool tiny = size > 0.0 && size < kLeastSize && smallness == Smallness::bounded;
+    if (!tiny && !(size > kGreatestSize && std::isfinite(value))) return value;
+    return fail(
+        "E-FILE-016",
+        fmt::format("{}, {:g} in SI; values are 0 or from {:g} to {:g} in size, so that their squares and products "
+                    "are numbers",
+                    node.written, value, kLeastSize, kGreatestSize),
+        {"check the exponent and the unit"});
+  };
   if (const auto* number = std::get_if<double>(&node.value)) {
-    if (!dimension || std::isfinite(*number)) return *number;
+    if (!dimension || std::isfinite(*number)) return check_size(*number);
     return fail("E-FILE-004", fmt::format("{}; it must be finite", node.written));
   }
   const auto* text = std::get_if<std::string>(&node.value);
@@ -46,7 +63,7 @@ std::optional<double> read_quantity(const DocumentNode& node, std::optional<Dime
   const auto& quantity = std::get<Quantity>(parsed);
   // "pi/2" is an angle: the radian is a number.
   const bool plain_angle = dimension == dimension::kAngle && quantity.dimension == dimension::kNone;
-  if (!dimension || quantity.dimension == *dimension || plain_angle) return quantity.value;
+  if (!dimension || quantity.dimension == *dimension || plain_angle) return check_size(quantity.value);
   return fail("E-FILE-005", fmt::format("\"{}\", {}; {} is needed", *text, dimension_name(quantity.dimension), wanted));
 }
 
@@ -140,7 +157,11 @@ std::optional<int> TableReader::find_count(std::string_view key) {
   if (number != nullptr && std::abs(*number) <= kGreatestCount && *number == std::trunc(*number)) {
     return static_cast<int>(*number);
   }
-  report("E-FILE-007", key, fmt::format("{} is {}; a whole number is needed", key, node->written));
+  const bool whole = number != nullptr && *number == std::trunc(*number);  // infinity, too
+  report("E-FILE-007", key,
+         fmt::format("{} is {}; {}", key, node->written,
+                     whole ? fmt::format("whole numbers go from {:.0f} to {:.0f} here", -kGreatestCount, kGreatestCount)
+                           : "a whole number is needed"));
   return std::nullopt;
 }
 

@@ -25,10 +25,14 @@ struct ReadLog {
   Diagnostics& diagnostics;
 };
 
+/// Whether a value may be so small that its square is no number: an entry of a curve may, the tail of a peak.
+enum class Smallness { bounded, any };
+
 /// The quantity of a node: a bare number is in SI, a text has its unit; without a dimension every one is right. Reports
 /// what is wrong under the path; the label names the value for the user, "joint 'A': width".
 std::optional<double> read_quantity(const DocumentNode& node, std::optional<Dimension> dimension,
-                                    const std::string& path, const std::string& label, ReadLog& log);
+                                    const std::string& path, const std::string& label, ReadLog& log,
+                                    Smallness smallness = Smallness::bounded);
 
 /// Reports a name that is none of the possible ones, with the nearest of them.
 void report_choice(std::string_view code, const std::string& path, const std::string& message, std::string_view name,
