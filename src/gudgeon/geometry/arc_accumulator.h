@@ -11,6 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
+
 namespace gudgeon {
 
 /// Adds constant amounts over arcs, also over such as move and grow: only where an arc's ends are, or pass, are changes
@@ -119,6 +121,8 @@ class ArcAccumulator {
     }
     return amounts;
   }
+
+  void transfer(StateArchive& archive) { archive(differences_, region_amounts_, base_); }
 
  private:
   static constexpr double kLeastPath = 1e-3;  // widths

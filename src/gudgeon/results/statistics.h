@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/results/run_record.h"
 
 namespace gudgeon {
@@ -32,12 +33,18 @@ class StatisticsAccumulator {
   /// In the order of the channels.
   [[nodiscard]] std::vector<ChannelStatistics> summarize() const;
 
+  void transfer(StateArchive& archive) {
+    archive(last_, minimum_, maximum_, minimum_time_, maximum_time_, integral_, square_integral_);
+    archive(first_time_, last_time_, empty_);
+  }
+
  private:
   // Compensated sums, one a channel.
   struct Sums {
     std::vector<double> values;
     std::vector<double> lost;  // what rounding took away so far
     void reset(std::size_t n);
+    void transfer(StateArchive& archive) { archive(values, lost); }
     [[nodiscard]] double total(std::size_t k) const { return values[k] + lost[k]; }
   };
   void add_to_integrals(double half_step, const double* values);

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/results/run_record.h"
 
 namespace gudgeon {
@@ -22,6 +23,11 @@ class ContactHistory {
 
   /// All contacts in the order of their end.
   [[nodiscard]] std::vector<ContactEvent>& events() { return events_; }
+
+  void transfer(StateArchive& archive) {
+    archive(open_);
+    archive.list(events_);
+  }
 
  private:
   std::vector<ContactEvent> open_;  // one a contact

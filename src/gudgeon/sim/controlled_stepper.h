@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/sim/ledger_control.h"
 #include "gudgeon/sim/step_control.h"
 #include "gudgeon/sim/stepper.h"
@@ -44,6 +45,10 @@ class ControlledStepper : public Stepper {
   void note_onset() final { control_.note_onset(); }
   void propose(double h) final { control_.propose(h); }
   [[nodiscard]] bool evaluates_end() const final { return true; }
+  void transfer(StateArchive& archive) override {
+    Stepper::transfer(archive);
+    archive(control_, ledger_, largest_load_, attempted_, end_residual_, was_whole_);
+  }
 
  protected:
   /// The last attempt; an error that is not finite where it failed.

@@ -6,6 +6,8 @@
 
 #include <cstddef>
 
+#include "gudgeon/base/state_archive.h"
+
 namespace gudgeon {
 
 class DenseStep {
@@ -20,6 +22,8 @@ class DenseStep {
   DenseStep(const DenseStep&) = default;
   DenseStep& operator=(const DenseStep&) = default;
   ~DenseStep() = default;  // nobody owns a step by this base
+
+  void transfer_times(StateArchive& archive) { archive(time_, h_); }
 
   double time_ = 0.0;  // [s]
   double h_ = 0.0;     // [s]

@@ -18,6 +18,10 @@ class ExplicitStepper final : public ControlledStepper {
   void begin(double time, const std::vector<double>& y, const std::vector<double>& slope, bool continues) override;
   void end_at(double h) override;
   void accept() override;
+  void transfer(StateArchive& archive) override {
+    ControlledStepper::transfer(archive);
+    archive(formula_);
+  }
   /// h |λ| [1] of the last step, weighted by the tolerances.
   [[nodiscard]] double find_stiffness() const noexcept;
   [[nodiscard]] const DenseStep& dense() const override { return formula_; }

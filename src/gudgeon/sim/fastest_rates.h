@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "gudgeon/base/state_archive.h"
+
 namespace gudgeon {
 
 /// Means over time of |λ| [1/s], the fastest rate that explicit steps feel, while contacts press and while none does.
@@ -26,6 +28,8 @@ class FastestRates {
   /// 0 where nothing was noted.
   [[nodiscard]] double in_contact() const { return in_contact_.mean(); }
   [[nodiscard]] double in_flight() const { return in_flight_.mean(); }
+
+  void transfer(StateArchive& archive) { archive(in_contact_, in_flight_); }
 
  private:
   static constexpr double kMostStiffness = 3.5;

@@ -23,6 +23,12 @@ class ImplicitStepper final : public ControlledStepper, private DenseStep {
   void begin(double time, const std::vector<double>& y, const std::vector<double>& slope, bool continues) override;
   void end_at(double h) override;
   void accept() override;
+  void transfer(StateArchive& archive) override {
+    ControlledStepper::transfer(archive);
+    transfer_times(archive);
+    archive(response_, start_, error_, slopes_, past_, past_times_, base_, acceleration_, residual_, slope_);
+    archive(has_past_, has_response_);
+  }
   /// The fastest rates that contacts put into the motion at the end of the last step.
   [[nodiscard]] ContactRates find_rates() const noexcept {
     return response_.find_rates(equations_.latches, equations_.workspace);

@@ -4,6 +4,7 @@
 // Whether a step is better taken explicitly or implicitly in its contact forces.
 #pragma once
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/system/contact_response.h"
 
 namespace gudgeon {
@@ -22,6 +23,8 @@ class ImplicitWatch {
   bool note_implicit_step(double h, long n_evaluations, const ContactRates& rates, int n_pressing);
   /// A contact changes: what was counted says nothing about the motion behind it.
   void forget();
+
+  void transfer(StateArchive& archive) { archive(n_short_, n_explicit_, mean_, n_implicit_, trial_, patience_); }
 
  private:
   static constexpr int kLeastShort = 3;

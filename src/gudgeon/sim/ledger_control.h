@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gudgeon/base/state_archive.h"
+
 namespace gudgeon {
 
 /// Keeps the ledger's residual below kLargestResidual of the energy exchanged. A step may add the same share of what it
@@ -38,6 +40,8 @@ class LedgerControl {
     const double rest = std::max(0.0, kLargestResidual * exchanged_ - residual_) + kKineticKnown * kinetic;
     return energy / (kLargestResidual * (exchanged - exchanged_) + kShareOfRest * rest);
   }
+
+  void transfer(StateArchive& archive) { archive(residual_, exchanged_); }
 
  private:
   double residual_ = 0.0;

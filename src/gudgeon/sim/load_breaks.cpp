@@ -62,6 +62,16 @@ LoadBreaks::LoadBreaks(const System& system, double cycle_time, SolverStatistics
   last_ = scratch_.loads.held;
 }
 
+void LoadBreaks::transfer(StateArchive& archive) {
+  scratch_.fit(system_->tables);
+  archive(watched_, motion_states_, motion_pieces_, scratch_, is_searched_, arguments_, excess_, state_, later_slope_);
+  archive(tried_, next_, last_, reach_, is_restless_, is_decided_, last_left_, has_changed_);
+  archive(ahead_, held_at_, n_stalls_, n_changes_, recent_, release_, released_until_);
+  archive.list(turned_);
+  archive.list(turned_formulas_);
+  archive(turned_rates_);
+}
+
 void LoadBreaks::eval(double t, const std::vector<double>& y, std::vector<double>& slope,
                       MotionEquations& equations) noexcept {
   ++statistics_->evaluations;

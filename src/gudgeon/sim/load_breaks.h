@@ -64,6 +64,8 @@ class LoadBreaks {
   /// How often pieces were chosen.
   [[nodiscard]] std::int64_t n_changes() const { return n_changes_; }
 
+  void transfer(StateArchive& archive);
+
  private:
   enum class Kind { formula, curve, motion, share };
   struct Watched {

@@ -4,6 +4,7 @@
 // What rounding of places is worth as energy.
 #pragma once
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/model/mechanism.h"
 #include "gudgeon/system/workspace.h"
 
@@ -18,6 +19,8 @@ class LoadReach {
   /// Loads as they are at an evaluated state.
   void note(const Workspace& workspace) noexcept;
   [[nodiscard]] double largest() const { return largest_; }
+
+  void transfer(StateArchive& archive) { archive(largest_); }
 
  private:
   double length_;   // [m]

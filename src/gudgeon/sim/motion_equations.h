@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/system/body_motion.h"
 #include "gudgeon/system/dynamics.h"
 #include "gudgeon/system/system.h"
@@ -157,6 +158,8 @@ class MotionEquations {
   /// evaluated with, at this state. It keeps no more than the pieces it holds.
   void find_argument_rates(double t, const double* y, std::span<const int> breaks, Workspace& target,
                            double* rates) noexcept;
+
+  void transfer(StateArchive& archive) { archive(latches, workspace, initial_energy); }
 
   /// A motion slides along so many breaks at once.
   static constexpr int kMostSlides = 8;

@@ -5,6 +5,7 @@
 #include "gudgeon/sim/motion_integrator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -303,6 +304,29 @@ std::optional<std::size_t> MotionIntegrator::open_closure() const {
     if (!(norm(gaps[c]) <= kOpenShare * unit)) return c;
   }
   return std::nullopt;
+}
+
+void MotionIntegrator::transfer(StateArchive& archive) {
+  if (own_system_) transfer_rows(archive, *own_system_);
+  equations_.workspace.fit(system_.tables);
+  scratch_.fit(system_.tables);
+  archive(equations_, passage_, breaks_, unseen_, scratch_, statistics_);
+  transfer_stepper(archive);
+  archive(stiffness_watch_, implicit_watch_, rates_, n_evaluations_, time_, last_step_, strode_, continues_, y_,
+          slope_);
+  archive(gaps_, end_gaps_, changing_contact_, passed_, changes_piece_, is_out_of_piece_, landed_, next_point_);
+  archive(peak_time_);
+}
+
+void MotionIntegrator::transfer_stepper(StateArchive& archive) {
+  const std::array<Stepper*, 3> steppers{explicit_.get(), implicit_.get(), stiff_.get()};
+  auto at_work = static_cast<std::size_t>(std::ranges::find(steppers, stepper_) - steppers.begin());
+  archive(at_work);
+  if (at_work >= steppers.size() || steppers[at_work] == nullptr) StateArchive::refuse();
+  stepper_ = steppers[at_work];
+  for (Stepper* stepper : steppers) {
+    if (stepper != nullptr) stepper->transfer(archive);
+  }
 }
 
 void MotionIntegrator::interpolate(double time, std::vector<double>& y) const {

@@ -83,6 +83,13 @@ class MotionIntegrator {
   /// The state at a time within the last step.
   void interpolate(double time, std::vector<double>& y) const;
 
+  /// Whether a motion that is loaded from what transfer() saves goes on with the same bits.
+  [[nodiscard]] bool can_be_saved() const { return !continues_ || stepper_->can_be_saved(); }
+  /// Whether interpolate() does so, too.
+  [[nodiscard]] bool saves_last_step() const { return strode_ || stepper_->saves_dense_step(); }
+  /// Of a motion that has begun.
+  void transfer(StateArchive& archive);
+
   /// Evaluates the last accepted state again, whatever was tried since.
   void evaluate_again();
 
@@ -109,6 +116,7 @@ class MotionIntegrator {
   void accept(double milestone);
   int settle();
   void choose_rows();
+  void transfer_stepper(StateArchive& archive);
 
   std::unique_ptr<System> own_system_;  // where rows are chosen anew
   const System& system_;

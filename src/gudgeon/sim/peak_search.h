@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
+
 namespace gudgeon {
 
 /// Where a signal turns at one of its points, the parabola through it and its neighbours tells how far it may go
@@ -33,6 +35,10 @@ class PeakSearch {
   void take(double time);
   /// Looks at a time between the two newest points, and around it for the greatest value of one signal.
   void look_between(double time, std::size_t signal);
+
+  void transfer(StateArchive& archive) {
+    archive(rows_, greatest_, least_, points_, n_points_, taken_, n_taken_, newest_);
+  }
 
  private:
   struct Point {

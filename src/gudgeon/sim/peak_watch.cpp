@@ -39,6 +39,11 @@ void PeakWatch::take_step(const MotionIntegrator& motion) {
   look_into_short_contacts(motion);
 }
 
+void PeakWatch::transfer(StateArchive& archive) {
+  scratch_.fit(system_.tables);
+  archive(steps_, search_, scratch_, y_, slope_, forces_);
+}
+
 // What has changed at the start of the step.
 void PeakWatch::note_latches() {
   const std::vector<ContactLatch>& before = steps_.latches();

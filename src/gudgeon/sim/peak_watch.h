@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/sim/contact_history.h"
 #include "gudgeon/sim/motion_integrator.h"
 #include "gudgeon/sim/peak_search.h"
@@ -26,6 +27,8 @@ class PeakWatch {
   void begin(const MotionIntegrator& motion);
   /// The step just accepted; before a change of contact at its end is noted.
   void take_step(const MotionIntegrator& motion);
+
+  void transfer(StateArchive& archive);
 
  private:
   void note_latches();

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "gudgeon/base/state_archive.h"
+
 namespace gudgeon {
 
 /// Counts evaluations against the motion's progress, a window at a time: nothing of it depends on the clock. A run goes
@@ -31,6 +33,10 @@ class RunPace {
     window_evaluations_ = evaluations;
     window_steps_ = steps;
     return !(was_slow && is_slow_);
+  }
+
+  void transfer(StateArchive& archive) {
+    archive(window_time_, window_evaluations_, window_steps_, is_slow_, last_advance_, last_step_);
   }
 
   /// By how much the last window came on [s].

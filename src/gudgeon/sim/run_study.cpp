@@ -61,11 +61,13 @@ void drop_samples(StageRecord& stage) {
 
 class StudyRunner {
  public:
-  StudyRunner(const Mechanism& mechanism, const Study& study, const RunHooks& hooks, std::vector<StageRecord> finished)
+  StudyRunner(const Mechanism& mechanism, const Study& study, const RunHooks& hooks, std::vector<StageRecord> finished,
+              std::optional<Checkpoint> checkpoint)
       : mechanism_(mechanism),
         study_(study),
         hooks_(hooks),
         finished_(std::move(finished)),
+        checkpoint_(std::move(checkpoint)),
         assembly_(assemble(mechanism)),
         ideal_assembly_(assembly_),
         cycle_time_(find_cycle_time(mechanism, study)),
@@ -115,6 +117,8 @@ class StudyRunner {
     report(0.0);
     StageRun stage(system, study_, cycle_time_, name);
     if (hooks_.samples) stage.stream(hooks_.samples_per_block, hooks_.samples);
+    if (hooks_.checkpoint) stage.save(hooks_.checkpoint_wanted, hooks_.checkpoint);
+    if (checkpoint_ && checkpoint_->stage == name) stage.resume(*std::exchange(checkpoint_, std::nullopt));
     stages_.push_back(stage.run(make_state(system, assembly), hooks_.stop, report));
     if (hooks_.stage_finished) hooks_.stage_finished(stages_.back());
     if (hooks_.samples) drop_samples(stages_.back());
@@ -135,7 +139,8 @@ class StudyRunner {
   const Mechanism& mechanism_;
   const Study& study_;
   const RunHooks& hooks_;
-  std::vector<StageRecord> finished_;  // by an earlier run, in order
+  std::vector<StageRecord> finished_;     // by an earlier run, in order
+  std::optional<Checkpoint> checkpoint_;  // of the stage after them
   Assembly assembly_;
   Assembly ideal_assembly_;
   double cycle_time_;
@@ -148,9 +153,9 @@ class StudyRunner {
 }  // namespace
 
 std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& study, const RunHooks& hooks,
-                                   std::vector<StageRecord> finished) {
+                                   std::vector<StageRecord> finished, std::optional<Checkpoint> checkpoint) {
   require_start(mechanism, assemble(mechanism));
-  return StudyRunner(mechanism, study, hooks, std::move(finished)).run();
+  return StudyRunner(mechanism, study, hooks, std::move(finished), std::move(checkpoint)).run();
 }
 
 }  // namespace gudgeon

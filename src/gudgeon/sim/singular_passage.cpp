@@ -125,4 +125,22 @@ void SingularPassage::interpolate(double time, std::vector<double>& y) const {
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = extrapolate(time, i, kPassageNodes);
 }
 
+// Of the ring, what is still looked back to.
+void SingularPassage::transfer(StateArchive& archive) {
+  archive(newest_, n_entries_, last_worst_);
+  std::array<std::size_t, kPassageNodes> nodes{};
+  std::size_t n_nodes = nodes_.size();
+  for (std::size_t k = 0; k < n_nodes; ++k) nodes[k] = static_cast<std::size_t>(nodes_[k] - ring_.data());
+  archive(n_nodes, nodes);
+  if (newest_ >= ring_.size() || n_nodes > kPassageNodes) StateArchive::refuse();
+  for (std::size_t k = 0; k < ring_.size(); ++k) {
+    bool is_used = (newest_ + ring_.size() - k) % ring_.size() < n_entries_;
+    for (std::size_t node = 0; node < n_nodes; ++node) is_used = is_used || nodes[node] == k;
+    if (is_used) archive(ring_[k]);
+  }
+  if (!archive.is_loading()) return;
+  nodes_.clear();
+  for (std::size_t k = 0; k < n_nodes; ++k) nodes_.push_back(&ring_.at(nodes.at(k)));
+}
+
 }  // namespace gudgeon

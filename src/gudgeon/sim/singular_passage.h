@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
+
 namespace gudgeon {
 
 /// At a singular position (all bars of a loop in line) the closures lose a row: the motion goes through smoothly, but
@@ -39,6 +41,8 @@ class SingularPassage {
   /// The continued motion at a time between the last noted step and the far side.
   void interpolate(double time, std::vector<double>& y) const;
 
+  void transfer(StateArchive& archive);
+
  private:
   static constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
   struct Entry {
@@ -46,6 +50,7 @@ class SingularPassage {
     double distance = 0.0;  // 1/√closeness: goes to zero linearly with time
     std::vector<double> y;
     std::vector<double> slope;
+    void transfer(StateArchive& archive) { archive(time, distance, y, slope); }
   };
   [[nodiscard]] double find_time_left() const;
   // The step noted `back` steps before the newest.

@@ -57,6 +57,7 @@ void StageRecorder::reserve(std::size_t n_samples) {
 
 void StageRecorder::hand_over() {
   take_({"", channels_, time_, values_});
+  n_handed_over_ += static_cast<std::int64_t>(time_.size());
   time_.clear();
   for (std::vector<double>& values : values_) values.clear();
 }
@@ -134,6 +135,13 @@ void StageRecorder::read_clearances(const Workspace& workspace) {
   for (std::size_t g = 0; g < readers_.size(); ++g) {
     readers_[g].read_forces(workspace, penetrations_, snapshot_.clearances[g]);
   }
+}
+
+void StageRecorder::transfer(StateArchive& archive) {
+  archive(n_handed_over_, snapshot_.clearances, penetrations_, watched_row_, sampled_row_);
+  archive(step_statistics_, sample_statistics_);
+  archive.list(time_);
+  for (std::vector<double>& values : values_) archive.list(values);
 }
 
 void StageRecorder::finish(StageRecord& stage) {

@@ -5,10 +5,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/results/sample_block.h"
 #include "gudgeon/results/statistics.h"
 #include "gudgeon/sim/channel_table.h"
@@ -52,6 +54,11 @@ class StageRecorder {
   /// The values last watched, one a channel that is.
   [[nodiscard]] const std::vector<double>& watched_row() const { return watched_row_; }
 
+  /// How many samples were handed over.
+  [[nodiscard]] std::int64_t n_handed_over() const { return n_handed_over_; }
+  /// With the samples that were not handed over.
+  void transfer(StateArchive& archive);
+
   /// Moves what was recorded, and not handed over, into the stage.
   void finish(StageRecord& stage);
 
@@ -74,6 +81,7 @@ class StageRecorder {
   std::vector<double> sampled_row_;
   std::vector<double> time_;
   std::vector<std::vector<double>> values_;
+  std::int64_t n_handed_over_ = 0;
   std::size_t block_size_ = 0;  // 0: all is kept
   std::function<void(const SampleBlock&)> take_;
   StatisticsAccumulator step_statistics_;

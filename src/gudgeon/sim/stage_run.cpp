@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -62,39 +61,60 @@ void StageRun::stream(std::size_t block_size, const std::function<void(const Sam
 
 StageRecord StageRun::run(const State& start, const std::stop_token& stop,
                           const std::function<void(double)>& progress) {
-  using Clock = std::chrono::steady_clock;
-  const auto clock_start = Clock::now();
-  Clock::duration elsewhere{};  // whoever is told of progress may let another case go first
+  began_at_ = Clock::now();
   recorder_.reserve(n_all_samples_);
-  begin(start);
-  int reported = 0;
+  if (is_resumed_) {
+    is_sampled_ = sample_until(motion_.time(), stop);
+    check_step();
+  } else {
+    begin(start);
+  }
+  int reported = static_cast<int>(100.0 * motion_.time() / end_);
   while (motion_.time() < end_ && record_.status == StageStatus::finished) {
     if (stop.stop_requested()) {
-      record_.status = StageStatus::stopped;
-      record_.message = fmt::format("stopped on request at t = {:.9g} s", motion_.time());
+      stop_on_request();
       break;
     }
-    const double step_start = motion_.time();
-    if (!motion_.advance(step_start < warm_up_end_ ? warm_up_end_ : end_)) {
-      fail_step();
-      break;
-    }
-    take_step(step_start);
-    stop_outside_slots();
-    stop_open();
-    if (!pace_.note(motion_.time(), motion_.statistics().evaluations, motion_.statistics().accepted_steps)) {
-      stop_without_end();
-    }
+    if (checkpoint_wanted_ != nullptr && checkpoint_wanted_->load(std::memory_order_relaxed)) take_checkpoint();
+    advance(stop);
     if (const int percent = static_cast<int>(100.0 * motion_.time() / end_); percent > reported) {
       reported = percent;
       const auto told = Clock::now();
       if (progress) progress(motion_.time() / end_);
-      elsewhere += Clock::now() - told;
+      began_at_ += Clock::now() - told;  // whoever is told of progress may let another case go first
     }
   }
   finish();
-  record_.solver.wall_time = std::chrono::duration<double>(Clock::now() - clock_start - elsewhere).count();
+  record_.solver.wall_time = find_wall_time();
   return std::move(record_);
+}
+
+double StageRun::find_wall_time() const {
+  return earlier_wall_time_ + std::chrono::duration<double>(Clock::now() - began_at_).count();
+}
+
+// One step and all that is kept of it.
+void StageRun::advance(const std::stop_token& stop) {
+  const double step_start = motion_.time();
+  if (!motion_.advance(step_start < warm_up_end_ ? warm_up_end_ : end_)) return fail_step();
+  take_step(step_start, stop);
+  check_step();
+}
+
+// Whether the stage can go on after a step. It changes nothing when it is done again.
+void StageRun::check_step() {
+  if (!is_sampled_) return stop_on_request();
+  stop_outside_slots();
+  stop_open();
+  if (!pace_.note(motion_.time(), motion_.statistics().evaluations, motion_.statistics().accepted_steps)) {
+    stop_without_end();
+  }
+}
+
+void StageRun::stop_on_request() {
+  take_checkpoint();
+  record_.status = StageStatus::stopped;
+  record_.message = fmt::format("stopped on request at t = {:.9g} s", motion_.time());
 }
 
 void StageRun::begin(const State& start) {
@@ -117,7 +137,7 @@ void StageRun::begin(const State& start) {
   if (record_.status == StageStatus::finished) close_touching();
   initial_energies_ = recorder_.find_energies(motion_.equations().workspace);
   if (warm_up_end_ > 0.0) return;
-  sample_until(0.0);
+  sample_until(0.0, {});
   peaks_.begin(motion_);
 }
 
@@ -137,11 +157,11 @@ void StageRun::close_touching() {
   equations.initial_energy = equations.find_energy();
 }
 
-void StageRun::take_step(double step_start) {
+void StageRun::take_step(double step_start, const std::stop_token& stop) {
   const double now = motion_.time();
   reach_.note(motion_.equations().workspace);
   if (step_start >= warm_up_end_) deposit_wear();
-  sample_until(now);
+  is_sampled_ = sample_until(now, stop);
   if (step_start >= warm_up_end_) {
     peaks_.take_step(motion_);
   } else if (now >= warm_up_end_) {
@@ -223,14 +243,16 @@ void StageRun::stop_open() {
                                          : fmt::format("{:.3g} um", 1e6 * gap)));
 }
 
-// All samples that fall into the step just taken.
-void StageRun::sample_until(double time) {
+// All samples that fall into the step just taken; of millions it goes on with the rest when it is called again. False
+// when it was stopped before.
+bool StageRun::sample_until(double time, const std::stop_token& stop) {
   MotionEquations& equations = motion_.equations();
   scratch_.loads.held = equations.workspace.loads.held;
   for (; n_samples_ < n_all_samples_; ++n_samples_) {
     const double at = warm_up_end_ + static_cast<double>(n_samples_) * sample_step_;
     // The last sample stands at the end, whatever rounding says.
-    if (at > time && !(n_samples_ + 1 == n_all_samples_ && time >= end_)) return;
+    if (at > time && !(n_samples_ + 1 == n_all_samples_ && time >= end_)) return true;
+    if (stop.stop_requested()) return false;
     if (time == 0.0) {
       interpolated_ = motion_.y();
     } else {
@@ -241,6 +263,7 @@ void StageRun::sample_until(double time) {
     equations.eval_in(at, y, scratch_);
     recorder_.sample(at, scratch_, equations.latches, initial_energies_.total(), y + equations.n_states());
   }
+  return true;
 }
 
 // Steps that shrink because a contact is pressed to where its law ends are told so.

@@ -4,11 +4,15 @@
 // One stage: a mechanism run over its cycles on fixed surfaces, and everything that is kept of it.
 #pragma once
 
+#include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <functional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "gudgeon/results/checkpoint.h"
 #include "gudgeon/sim/contact_history.h"
 #include "gudgeon/sim/load_reach.h"
 #include "gudgeon/sim/motion_integrator.h"
@@ -29,25 +33,38 @@ class StageRun {
 
   /// Has the samples handed over in blocks of that size; the record then holds those after the last block.
   void stream(std::size_t block_size, const std::function<void(const SampleBlock&)>& take);
+  /// Takes checkpoints: after a step when `wanted`, which is then cleared, and where it is stopped. A stage by the
+  /// stiff integrator is only saved where that starts anew: every now and then, and not where it is stopped.
+  void save(std::atomic<bool>* wanted, std::function<void(const Checkpoint&)> take);
+  /// Goes on from there, not from a start. Throws FileError when it cannot be one of this stage.
+  void resume(const Checkpoint& checkpoint);
   /// progress is called about a hundred times with the share of the stage that is done.
   StageRecord run(const State& start, const std::stop_token& stop, const std::function<void(double)>& progress);
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void begin(const State& start);
-  void take_step(double step_start);
+  void advance(const std::stop_token& stop);
+  void take_step(double step_start, const std::stop_token& stop);
+  void check_step();
+  void stop_on_request();
+  void take_checkpoint();
+  void transfer(StateArchive& archive);
   void deposit_wear();
   void close_touching();
   void open_contact(std::size_t contact);
   void note_contact_change(std::size_t contact);
   void stop_outside_slots();
   void stop_open();
-  void sample_until(double time);
+  bool sample_until(double time, const std::stop_token& stop);
   void fail_step();
   void stop_without_end();
   [[nodiscard]] std::string explain_cost() const;
   void stop(const std::string& code, const std::string& reason);
   void fail(const std::string& code, const std::string& reason);
   bool fail_at_law_end();
+  [[nodiscard]] double find_wall_time() const;
   void finish();
 
   const Study& study_;
@@ -70,6 +87,12 @@ class StageRun {
   std::size_t n_samples_ = 0;
   std::vector<double> interpolated_;
   StageRecorder::Energies initial_energies_;
+  bool is_sampled_ = true;  // up to the end of the last step
+  bool is_resumed_ = false;
+  double earlier_wall_time_ = 0.0;  // [s] before it was resumed
+  Clock::time_point began_at_;      // later by the time that others took
+  std::atomic<bool>* checkpoint_wanted_ = nullptr;
+  std::function<void(const Checkpoint&)> take_checkpoint_;
 };
 
 }  // namespace gudgeon

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/sim/error_tolerance.h"
 
 namespace gudgeon {
@@ -48,6 +49,8 @@ class StepControl {
   void note_onset();
   /// The length of an accepted step.
   void note_step(double h);
+
+  void transfer(StateArchive& archive) { archive(next_, log_last_error_, step_after_onset_, after_onset_); }
 
  private:
   [[nodiscard]] double find_error(const AttemptedStep& step) const;

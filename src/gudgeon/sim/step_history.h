@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/sim/motion_equations.h"
 
 namespace gudgeon {
@@ -38,8 +39,12 @@ class StepHistory {
   /// and bristles by that of degree 3 through values and slopes.
   void interpolate(double time, double* y) const noexcept;
 
+  void transfer(StateArchive& archive) { archive(entries_, newest_, n_states_); }
+
  private:
   struct Entry {
+    void transfer(StateArchive& archive) { archive(time, y, slope, latches); }
+
     double time = 0.0;  // [s]
     std::vector<double> y;
     std::vector<double> slope;

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/results/run_record.h"
 #include "gudgeon/sim/dense_step.h"
 #include "gudgeon/sim/motion_equations.h"
@@ -87,6 +88,12 @@ class Stepper {
   void forget_samples(std::size_t contact) {
     for (auto& stage : samples_) stage[contact] = {};
   }
+
+  /// Whether its next attempt depends on nothing but what transfer() saves.
+  [[nodiscard]] virtual bool can_be_saved() const { return true; }
+  /// Whether what transfer() saves tells the inside of the last step, too.
+  [[nodiscard]] virtual bool saves_dense_step() const { return true; }
+  virtual void transfer(StateArchive& archive) { archive(end_, end_slope_, samples_); }
 
   [[nodiscard]] const std::vector<double>& end() const { return end_; }
   [[nodiscard]] const std::vector<double>& end_slope() const { return end_slope_; }

@@ -134,6 +134,7 @@ double StiffStepper::find_first_step() {
 void StiffStepper::restart(double first_step) {
   cvode_.restart(time_, start_.data(), first_step);
   n_failures_ = 0;
+  n_steps_ = 0;
   restarts_ = false;
   is_fresh_ = true;
 }
@@ -212,6 +213,14 @@ void StiffStepper::accept() {
   std::copy_n(end_.begin(), equations_.n_states(), state_.begin());
   take_stage(kStages - 1);
   add_integrals(1.0, end_.size(), end_.data());
+  restarts_ = restarts_ || ++n_steps_ >= kLongestHistory;
+}
+
+void StiffStepper::transfer(StateArchive& archive) {
+  Stepper::transfer(archive);
+  transfer_times(archive);
+  archive(start_, start_slope_, state_, slope_, powers_, restarts_, is_fresh_, is_line_, whole_, next_);
+  archive(n_failures_, n_steps_);
 }
 
 void StiffStepper::interpolate(double share, std::size_t n_wanted, double* y) const noexcept {

@@ -15,10 +15,12 @@ namespace gudgeon {
 
 /// CVODE sees coordinates, rates and bristles. The integrals, and whatever else is integrated along, are taken by
 /// Lobatto's rule of order 6 on its dense output; two of the four stages are the step's ends. A step that is ended
-/// earlier ends on dense output, and the next starts anew.
+/// earlier ends on dense output, and the next starts anew; so does one after kLongestHistory steps in a row.
 class StiffStepper final : public Stepper, private DenseStep, private StiffProblem {
  public:
   static constexpr int kStages = 4;
+  /// CVODE's memory cannot be saved. It starts anew so often that a run can be, and so seldom that it costs little.
+  static constexpr int kLongestHistory = 1000;
 
   /// Without projection closures are left alone.
   StiffStepper(MotionEquations& equations, SolverStatistics& statistics, const ErrorTolerance& tolerance,
@@ -29,6 +31,10 @@ class StiffStepper final : public Stepper, private DenseStep, private StiffProbl
   void end_at(double h) override;
   void shorten() override;
   void accept() override;
+  /// CVODE's history cannot be taken out of it: only where it starts anew.
+  [[nodiscard]] bool can_be_saved() const override { return restarts_; }
+  [[nodiscard]] bool saves_dense_step() const override { return false; }
+  void transfer(StateArchive& archive) override;
   [[nodiscard]] double next_step() const override { return next_; }
   [[nodiscard]] bool projects_closures() const override { return true; }
   [[nodiscard]] const DenseStep& dense() const override { return *this; }
@@ -61,6 +67,7 @@ class StiffStepper final : public Stepper, private DenseStep, private StiffProbl
   double whole_ = 0.0;     // [s] the attempt before it was ended earlier
   double next_ = 0.0;      // [s]
   long n_failures_ = 0;    // that statistics know of
+  int n_steps_ = 0;        // since CVODE started anew
 };
 
 }  // namespace gudgeon

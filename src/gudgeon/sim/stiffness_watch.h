@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "gudgeon/base/state_archive.h"
+
 namespace gudgeon {
 
 /// Counts the explicit steps in a row that stability holds short, and calls for the stiff integrator once there are
@@ -20,6 +22,10 @@ class StiffnessWatch {
   bool note_stiff_step(double h, std::int64_t n_evaluations);
   /// A contact changes: what was counted says nothing about the motion behind it.
   void forget();
+
+  void transfer(StateArchive& archive) {
+    archive(n_stiff_, n_smooth_, stiff_time_, patience_, stake_, explicit_cost_, n_tried_, trial_time_, trial_cost_);
+  }
 
  private:
   // Stiff steps in a row that call for a change at least (Hairer & Wanner 1996, IV.2), and doubled at most so often.

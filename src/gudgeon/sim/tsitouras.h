@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/sim/dense_step.h"
 
 namespace gudgeon {
@@ -39,6 +40,11 @@ class Tsitouras final : public DenseStep {
         error_(n_states),
         stage_(n_),
         slopes_(kStages * n_) {}
+
+  void transfer(StateArchive& archive) {
+    transfer_times(archive);
+    archive(start_, end_, error_, stage_, slopes_);
+  }
 
   /// Sets the start of the next step and its slope.
   void begin(double time, const std::vector<double>& y, const std::vector<double>& slope) {

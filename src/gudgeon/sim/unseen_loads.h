@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/sim/dense_step.h"
 #include "gudgeon/sim/motion_equations.h"
 
@@ -24,6 +25,10 @@ class UnseenLoads {
   [[nodiscard]] bool empty() const { return formulas_.empty(); }
   /// The time [s] within the step at which a load is quite other than around it.
   std::optional<double> find(const DenseStep& step, MotionEquations& equations);
+
+  void transfer(StateArchive& archive) {
+    for (Formula& formula : formulas_) archive(formula.largest);
+  }
 
  private:
   static constexpr int kParts = 8;

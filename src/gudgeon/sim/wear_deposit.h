@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <span>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/geometry/arc_accumulator.h"
 #include "gudgeon/model/study.h"
 #include "gudgeon/results/run_record.h"
@@ -45,6 +46,10 @@ class WearDeposit {
 
   /// What the stage wore, magnified. The surfaces it ran on are taken from the contact.
   [[nodiscard]] JointWear summarize(const std::string& joint) const;
+
+  void transfer(StateArchive& archive) {
+    archive(bearing_, journal_, total_, volume_, length_sum_, sliding_distance_, impulse_, contact_time_);
+  }
 
  private:
   // Depth times length of arc [m^2].

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/system/equations.h"
 
 namespace gudgeon {
@@ -134,6 +135,23 @@ ContactRates ContactResponse::find_rates(std::span<const ContactLatch> latches,
     rates.swing = std::max(rates.swing, std::sqrt(std::abs(slopes.force_by_penetration * normal)));
   }
   return rates;
+}
+
+void ContactResponse::transfer(StateArchive& archive) {
+  const auto transfer_matrix = [&](auto& matrix, Eigen::Index most_rows) {
+    Eigen::Index rows = matrix.rows();
+    Eigen::Index columns = matrix.cols();
+    archive(rows, columns);
+    if (rows > most_rows || columns > kRank) StateArchive::refuse();
+    if (archive.is_loading()) matrix.resize(rows, columns);
+    archive.raw(matrix.data(), static_cast<std::size_t>(matrix.size()));
+  };
+  archive(n_pressing_, pressing_);
+  transfer_matrix(directions_, directions_.rows());
+  transfer_matrix(responses_, responses_.rows());
+  transfer_matrix(gains_, kRank);
+  transfer_matrix(weights_, kRank);
+  transfer_matrix(forces_, kRank);
 }
 
 }  // namespace gudgeon

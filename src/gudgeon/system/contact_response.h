@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/system/tables.h"
 #include "gudgeon/system/workspace.h"
 
@@ -48,6 +49,8 @@ class ContactResponse {
   /// The fastest rates of the contacts that press, at the forces of the workspace.
   [[nodiscard]] ContactRates find_rates(std::span<const ContactLatch> latches,
                                         const Workspace& workspace) const noexcept;
+
+  void transfer(StateArchive& archive);
 
  private:
   static constexpr int kRank = 2 * kMost;

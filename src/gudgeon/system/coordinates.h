@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gudgeon/base/rotations.h"
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/base/vec2.h"
 #include "gudgeon/system/motion_function.h"
 #include "gudgeon/system/topology.h"
@@ -25,6 +26,8 @@ struct Coordinates {
         slide_rate(counts.n_slides(), 0.0),
         driven(motions.size()),
         functions(motions.begin(), motions.end()) {}
+
+  void transfer(StateArchive& archive) { archive(angle, rotation, angle_rate, slide, slide_rate, driven); }
 
   std::vector<double> angle;              ///< θ [rad], one a turn
   std::vector<Rotation> rotation;         ///< of θ

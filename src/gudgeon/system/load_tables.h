@@ -11,6 +11,7 @@
 #include "gudgeon/base/curve.h"
 #include "gudgeon/base/expression.h"
 #include "gudgeon/base/formula_breaks.h"
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/base/vec2.h"
 #include "gudgeon/model/channel_names.h"
 #include "gudgeon/model/function.h"
@@ -130,6 +131,7 @@ struct HeldPieces {
   std::vector<int> surfaces;   ///< the break that each slide goes along; the first n_slides are meant
   int n_slides = 0;
 
+  void transfer(StateArchive& archive) { archive(pieces, others, shares, slides, surfaces, n_slides); }
   /// Goes on without mixtures.
   void stop_slides() noexcept {
     std::ranges::fill(shares, 0.0);
@@ -161,6 +163,10 @@ struct LoadScratch {
     held.shares.assign(evaluators.size(), 0.0);
     held.slides.assign(evaluators.size(), -1);
     held.surfaces.assign(evaluators.size(), -1);
+  }
+
+  void transfer(StateArchive& archive) {
+    archive(channel_values, breaks, held, effects, constant_power, work_power, damper_power, storing_power);
   }
 
   std::vector<double> channel_values;

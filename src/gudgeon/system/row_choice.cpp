@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/system/characteristic_length.h"
 #include "gudgeon/system/closure_entries.h"
 
@@ -24,7 +25,21 @@ ActiveRows list_active(const Tables& tables) {
   return active;
 }
 
+void enforce(const ActiveRows& active, System& system) {
+  Tables tables = compile_tables(system.mechanism, system.topology, &active);
+  // Worn surfaces and the way that they have slid stay where they are.
+  tables.contacts = std::move(system.tables.contacts);
+  system.tables = std::move(tables);
+}
+
 }  // namespace
+
+void transfer_rows(StateArchive& archive, System& system) {
+  ActiveRows active = list_active(system.tables);
+  archive(active);
+  if (active != list_active(system.tables)) enforce(active, system);
+  archive.list(system.tables.usual_pivots);
+}
 
 bool has_free_rows(const Tables& tables) {
   return std::ranges::any_of(tables.closures, [](const ClosureRows& rows) {
@@ -79,10 +94,7 @@ bool RowChoice::update(System& system, Workspace& workspace) {
   ActiveRows active = list_active(system.tables);
   active[exchange->out.closure][exchange->out.row] = false;
   active[exchange->in.closure][exchange->in.row] = true;
-  Tables tables = compile_tables(system.mechanism, system.topology, &active);
-  // Worn surfaces and the way that they have slid stay where they are.
-  tables.contacts = std::move(system.tables.contacts);
-  system.tables = std::move(tables);
+  enforce(active, system);
   workspace.fit(system.tables);
   return true;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/system/system.h"
 #include "gudgeon/system/workspace.h"
 
@@ -40,6 +41,9 @@ class RowChoice {
   double length_;               // [m] beside which angles are measured
   std::vector<double> shares_;  // c of each enforced row, by its index
 };
+
+/// Saves the rows that are enforced and their usual pivots, or has the system enforce those that were saved.
+void transfer_rows(StateArchive& archive, System& system);
 
 /// Whether any row of a closure is not enforced.
 bool has_free_rows(const Tables& tables);

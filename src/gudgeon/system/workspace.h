@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "gudgeon/base/state_archive.h"
 #include "gudgeon/system/coordinates.h"
 #include "gudgeon/system/tables.h"
 
@@ -34,6 +35,12 @@ struct Workspace {
   void fit(const Tables& tables) {
     values.resize(static_cast<std::size_t>(tables.n_slots));
     factors.resize(static_cast<std::size_t>(tables.n_slots));
+  }
+
+  /// Tables must be those that the workspace fits, when it is saved and when it is loaded.
+  void transfer(StateArchive& archive) {
+    archive(coordinates, values, inverse_pivots, factors, solution, equations, effort, closure_gap, closure_rate);
+    archive(bristles, point_motions, point_loads, contact_motions, contact_forces, touches, loads);
   }
 
   Coordinates coordinates;
