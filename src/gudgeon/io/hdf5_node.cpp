@@ -8,6 +8,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "gudgeon/base/diagnostics.h"
@@ -37,8 +38,12 @@ Hdf5Handle open_attribute(const Hdf5Handle& node, const std::string& name, H5T_c
 }
 
 herr_t keep_name(hid_t, const char* name, const H5L_info_t*, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
+  try {
+    static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+    return 0;
+  } catch (const std::bad_alloc&) {
+    return -1;  // an exception may not go through the library
+  }
 }
 
 }  // namespace
