@@ -76,6 +76,14 @@ Outcome run_program(const TemporaryFolder& folder, const std::vector<std::string
   return RunningProgram(folder, arguments).wait();
 }
 
+Outcome run_in_shell(const TemporaryFolder& folder, const std::string& script) {
+  const std::string command = "cd '" + folder.path().string() + "' && GUDGEON='" GUDGEON_PROGRAM "' && { " + script +
+                              "\n} >stdout.txt 2>stderr.txt";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(folder.path() / "stdout.txt"),
+          read_text(folder.path() / "stderr.txt")};
+}
+
 std::string find_slider_crank() { return GUDGEON_SOURCE_DIR "/tests/app/slider_crank.toml"; }
 
 std::string find_case(std::string_view name) {

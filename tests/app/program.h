@@ -53,6 +53,9 @@ class RunningProgram {
 /// Runs it to its end with the folder as its working directory.
 Outcome run_program(const TemporaryFolder& folder, const std::vector<std::string>& arguments);
 
+/// The same through a shell, for what only a shell can set: "ulimit -f 100; exec $GUDGEON check m.toml >&-".
+Outcome run_in_shell(const TemporaryFolder& folder, const std::string& script);
+
 std::string read_text(const std::filesystem::path& file);
 
 /// The file of that name in tests/cases, as an argument.

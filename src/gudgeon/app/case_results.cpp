@@ -40,26 +40,43 @@ RunRecord read_for_summary(const std::filesystem::path& file) {
   return run;
 }
 
-}  // namespace
+/// Whether the file that the case was to write is there: a run that a limit stopped may have left none.
+bool is_kept(const CaseRun& one) {
+  std::error_code unknown;
+  return one.is_written && std::filesystem::exists(one.file, unknown);
+}
 
-void print_results(const std::vector<CaseRun>& cases, bool quiet) {
+void print_summaries(const std::vector<CaseRun>& cases, bool quiet) {
   for (const CaseRun& one : cases) {
-    if (!one.is_written) continue;
-    if (!quiet) {
-      write_stdout(render_summary(read_for_summary(one.file), make_published(one.model.study), find_color_wanted()));
-      write_stdout("\n");
-    }
+    if (quiet || !is_kept(one)) continue;
+    write_receipt(render_summary(read_for_summary(one.file), make_published(one.model.study), find_color_wanted()));
+    write_receipt("\n");
   }
   for (const CaseRun& one : cases) {
-    if (one.is_written) write_stdout(fmt::format("{}\n", one.file.string()));
+    if (is_kept(one)) write_receipt(fmt::format("{}\n", one.file.string()));
   }
   flush_stdout();
+}
+
+void print_troubles(const std::vector<CaseRun>& cases) {
   for (const CaseRun& one : cases) {
     if (one.message.empty()) continue;
     write_stderr(fmt::format("gudgeon: case {}: {}\n", one.name, one.message));
-    if (one.code == ExitCode::unbalanced || !one.is_written) continue;  // it finished, or it left nothing
+    if (one.code == ExitCode::unbalanced || !is_kept(one)) continue;  // it finished, or it left nothing
     write_stderr(fmt::format("  what was finished is kept in {}\n", one.file.string()));
   }
+}
+
+}  // namespace
+
+void print_results(const std::vector<CaseRun>& cases, bool quiet) {
+  try {
+    print_summaries(cases, quiet);
+  } catch (const FileError&) {
+    print_troubles(cases);  // they are why there is nothing to read, or more than a full disk behind standard output
+    throw;
+  }
+  print_troubles(cases);
 }
 
 }  // namespace gudgeon

@@ -9,6 +9,9 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <functional>
+#include <new>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -114,11 +117,31 @@ void run_case(CaseRun& one, int index, Existing existing, const std::stop_token&
   } catch (const FileError& error) {
     one.code = ExitCode::file;
     one.message = error.what();
+  } catch (const std::bad_alloc&) {
+    one.code = ExitCode::numerical;
+    one.message = kOutOfMemory;
   } catch (const std::exception& error) {
     one.code = ExitCode::numerical;
     one.message = error.what();
   }
   display.finish(index, name_outcome(one.code));
+}
+
+/// Starts that many threads, or as many as there may be: then it says so. NumericalError when there may be none.
+std::string add_threads(std::vector<std::jthread>& threads, int count, const std::function<void()>& work) {
+  try {
+    while (static_cast<int>(threads.size()) < count) threads.emplace_back(work);
+    return {};
+  } catch (const std::system_error& error) {
+    const std::string why = error.code().message();
+    if (threads.empty()) {
+      throw NumericalError(
+          fmt::format("no thread can be made to run the cases: {}; raise the limits of processes (ulimit -u) and of "
+                      "memory (ulimit -v), or lower that of the stack (ulimit -s)",
+                      why));
+    }
+    return fmt::format("only {} of {} threads can be made: {}; cases run with those", threads.size(), count, why);
+  }
 }
 
 }  // namespace
@@ -145,7 +168,8 @@ int run_cases(std::vector<CaseRun>& cases, int n_threads, Existing existing, Pro
     }
   };
   std::vector<std::jthread> threads;
-  for (int i = 0; i < std::min(2 * n_threads - 1, n_cases); ++i) threads.emplace_back(work);
+  const std::string trouble = add_threads(threads, std::min(2 * n_threads - 1, n_cases), work);
+  if (!trouble.empty()) display.write_note(trouble);
   while (n_done.load() < n_cases) {
     if (interruption.signal() != 0 && stop.request_stop()) {
       display.write_note(interruption.signal() == SIGINT

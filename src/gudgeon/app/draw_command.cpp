@@ -91,7 +91,7 @@ ExitCode run_draw(const DrawOptions& options) {
     write_stdout(svg);
   } else {
     write_whole(options.output, svg);
-    write_stdout(fmt::format("{}\n", options.output.string()));
+    write_receipt(fmt::format("{}\n", options.output.string()));
   }
   return ExitCode::done;
 }

@@ -19,6 +19,10 @@ enum class ExitCode {
   terminated = 143,   ///< SIGTERM: 128 + 15
 };
 
+/// What a std::bad_alloc means, wherever it comes from.
+inline constexpr const char* kOutOfMemory =
+    "out of memory; run fewer cases side by side (--threads), record less (outputs_per_cycle) or raise the limit";
+
 /// What a parsed command line asks for.
 using Action = std::function<ExitCode()>;
 

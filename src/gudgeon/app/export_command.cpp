@@ -24,7 +24,7 @@ struct ExportOptions {
 
 ExitCode run_export(const ExportOptions& options) {
   for (const std::filesystem::path& path : export_csv(read_run(options.file), options.directory, options.overwrite)) {
-    write_stdout(fmt::format("{}\n", path.string()));
+    write_receipt(fmt::format("{}\n", path.string()));
   }
   return ExitCode::done;
 }

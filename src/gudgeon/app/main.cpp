@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <optional>
 
@@ -19,6 +20,8 @@ namespace {
 using gudgeon::ExitCode;
 
 ExitCode run_program(int argc, const char* const* argv) {
+  gudgeon::open_closed_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no larger is a failed write, with its own message
   CLI::App program;
   gudgeon::Action action;
   gudgeon::add_commands(program, action);
@@ -49,7 +52,7 @@ int main(int argc, char** argv) {
   } catch (const gudgeon::FileError& error) {
     code = report(ExitCode::file, error.what());
   } catch (const std::bad_alloc&) {
-    code = report(ExitCode::numerical, "out of memory");
+    code = report(ExitCode::numerical, gudgeon::kOutOfMemory);
   } catch (const std::exception& error) {
     code = report(ExitCode::numerical, fmt::format("internal error: {}", error.what()).c_str());
   }

@@ -83,12 +83,12 @@ std::vector<NamedFigure> select_figures(std::vector<NamedFigure> figures, const 
 void write_figure(const PlotOptions& options, const NamedFigure& one) {
   const std::filesystem::path svg = make_picture_path(options.directory, one.name, "svg");
   write_whole(svg, plot_figure(one.figure, {.cycles = options.cycles}));
-  write_stdout(fmt::format("{}\n", svg.string()));
+  write_receipt(fmt::format("{}\n", svg.string()));
   for (const std::string& format : options.formats) {
     if (format == "svg") continue;
     const std::filesystem::path output = make_picture_path(options.directory, one.name, format);
     convert_picture(svg, output, format);
-    write_stdout(fmt::format("{}\n", output.string()));
+    write_receipt(fmt::format("{}\n", output.string()));
   }
 }
 

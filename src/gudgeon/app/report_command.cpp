@@ -47,7 +47,7 @@ ExitCode write_report(const std::filesystem::path& runs, const std::filesystem::
   for (const ReadRun& one : read.runs) page.add_case(read_report_case(one, page.has_room()));
   page.add_comparisons(group_cases(read.runs));
   write_whole(output, page.render());
-  write_stdout(fmt::format("{}\n", output.string()));
+  write_receipt(fmt::format("{}\n", output.string()));
   return read.troubles.empty() ? ExitCode::done : ExitCode::file;
 }
 

@@ -4,6 +4,7 @@
 // Text to the terminal.
 #include "gudgeon/app/text_output.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -35,15 +36,38 @@ std::string show_controls_but_styles(std::string_view text) {
   return shown;
 }
 
+// Whether standard output was closed when the program began.
+bool is_output_closed = false;
+
+bool is_closed(int descriptor) { return ::fcntl(descriptor, F_GETFD) == -1 && errno == EBADF; }
+
 [[noreturn]] void fail() {
   throw FileError(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
 }
 
 }  // namespace
 
+void open_closed_streams() {
+  is_output_closed = is_closed(STDOUT_FILENO);
+  // In their order: each gets the lowest free number, its own.
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (!is_closed(descriptor)) continue;
+    if (::open("/dev/null", descriptor == STDIN_FILENO ? O_RDONLY : O_WRONLY) == descriptor) continue;
+    throw FileError(fmt::format("/dev/null cannot be opened in place of the closed descriptor {}: {}", descriptor,
+                                std::strerror(errno)));
+  }
+}
+
 void write_stdout(std::string_view text) {
+  if (is_output_closed) {
+    throw FileError("standard output is closed, and what was asked for is written there; open it, to a file or a pipe");
+  }
   const std::string shown = show_controls_but_styles(text);
   if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size()) fail();
+}
+
+void write_receipt(std::string_view text) {
+  if (!is_output_closed) write_stdout(text);
 }
 
 void flush_stdout() {

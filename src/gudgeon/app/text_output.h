@@ -8,9 +8,17 @@
 
 namespace gudgeon {
 
-/// Control characters are shown, not sent: nothing that a model or a run file holds commands the terminal. FileError
-/// when standard output takes no more.
+/// Puts the null device where standard input, output or error is closed: a file opened later would get its number, and
+/// the text meant for it. To be called before any file is opened; FileError when there is no null device.
+void open_closed_streams();
+
+/// What was asked for. Control characters are shown, not sent: nothing that a model or a run file holds commands the
+/// terminal. FileError when standard output takes no more, or was closed from the start.
 void write_stdout(std::string_view text);
+/// The same for what files hold, their paths and summaries; where standard output was closed from the start, nobody
+/// wants it.
+void write_receipt(std::string_view text);
+/// FileError when standard output takes no more.
 void flush_stdout();
 
 /// Whether standard output is a terminal that wants colour (NO_COLOR is not set).
