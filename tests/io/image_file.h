@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/hdf5_file.h"
 #include "gudgeon/io/hdf5_node.h"
 #include "gudgeon/io/safe_file.h"

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/run_reader.h"
 #include "gudgeon/io/run_tables.h"
@@ -42,43 +43,42 @@ std::vector<Piece> list_pieces() {
   };
   return {
       {"an HDF5 file of another program", text("format", kRunFormat)},
-      {"attribute 'format_version' is missing", [](auto& root) { write_count_attribute(root, "format_version", 1); }},
+      {"attribute 'format_version' is missing", [](auto& root) { write_count_attribute(root, "format_version", 2); }},
       {"attribute 'program_version' is missing", text("program_version", "0.1.0")},
       {"attribute 'model_file' is missing", text("model_file", "m.toml")},
       {"attribute 'case_name' is missing", text("case_name", "base")},
       {"dataset 'model_text' is missing", [](auto& root) { write_text(root, "model_text", ""); }},
       {"dataset 'explained' is missing", [](auto& root) { write_text(root, "explained", ""); }},
-      {"dataset 'overrides' is missing",
+      {"table 'overrides' is missing",
        [](auto& root) { write_table(root, "overrides", kOverrideShape, nullptr, 0); }},
       {"group 'stages' is missing", [](auto& root) { make_group(make_group(root, "stages"), "no_wear"); }},
-      {"attribute 'order' is missing", [](auto& root) { write_count_attribute(open_stage(root), "order", 0); }},
-      {"attribute 'status' is missing",
-       [](auto& root) { write_text_attribute(open_stage(root), "status", "stopped"); }},
-      {"attribute 'message' is missing", [](auto& root) { write_text_attribute(open_stage(root), "message", ""); }},
-      {"attribute 'cycles' is missing", [](auto& root) { write_count_attribute(open_stage(root), "cycles", 3); }},
-      {"attribute 'start_time' is missing",
+      {"dataset 'status' is missing", [](auto& root) { write_text(open_stage(root), "status", "stopped"); }},
+      {"dataset 'message' is missing", [](auto& root) { write_text(open_stage(root), "message", ""); }},
+      {"dataset 'cycles' is missing", [](auto& root) { write_count(open_stage(root), "cycles", 3); }},
+      {"dataset 'start_time' is missing",
        [](auto& root) {
-         for (const auto& field : kStageReals) write_real_attribute(open_stage(root), field.name, 0.0);
+         for (const auto& field : kStageReals) write_real(open_stage(root), field.name, 0.0, field.unit);
        }},
       {"group 'channels' is missing", [](auto& root) { make_group(open_stage(root), "channels"); }},
-      {"dataset 'statistics' is missing",
+      {"table 'statistics' is missing",
        [](auto& root) { write_table(open_stage(root), "statistics", kStatisticsShape, nullptr, 0); }},
       {"group 'wear' is missing", [](auto& root) { make_group(open_stage(root), "wear"); }},
-      {"dataset 'events' is missing",
+      {"table 'events' is missing",
        [](auto& root) { write_table(open_stage(root), "events", kEventShape, nullptr, 0); }},
       {"group 'energy' is missing",
        [](auto& root) {
          const Hdf5Handle energy = make_group(open_stage(root), "energy");
-         for (const auto& field : kEnergyReals) write_real_attribute(energy, field.name, 0.0);
+         for (const auto& field : kEnergyReals) write_real(energy, field.name, 0.0, field.unit);
        }},
       {"group 'solver' is missing", [](auto& root) { make_group(open_stage(root), "solver"); }},
-      {"attribute 'evaluations' is missing",
+      {"dataset 'evaluations' is missing",
        [](auto& root) {
          const Hdf5Handle solver = open_group(open_stage(root), "solver");
-         for (const auto& field : kSolverCounts) write_count_attribute(solver, field.name, 0);
-         for (const auto& field : kSolverReals) write_real_attribute(solver, field.name, 0.0);
+         for (const auto& field : kSolverCounts) write_count(solver, field.name, 0);
+         for (const auto& field : kSolverReals) write_real(solver, field.name, 0.0, field.unit);
        }},
-      {"stage 'no_wear': dataset 'time' is missing", [](auto& root) { write_series(open_stage(root), "time", {}); }},
+      {"stage 'no_wear': dataset 'time' is missing",
+       [](auto& root) { write_series(open_group(open_stage(root), "channels"), "time", {}); }},
   };
 }
 
@@ -106,7 +106,7 @@ TEST(StageReader, TakesFilesOfBeforeLoadsDidWork) {
       const Hdf5Handle energy = make_group(open_stage(root), "energy");
       for (const auto& field : kEnergyReals) {
         const std::string name = field.name;
-        if (name != "load_work" && name != "damper_loss") write_real_attribute(energy, field.name, 2.5);
+        if (name != "load_work" && name != "damper_loss") write_real(energy, name, 2.5, "J");
       }
     }
   });
@@ -128,28 +128,37 @@ std::string read_misshapen(std::string_view complaint, const std::function<void(
 TEST(StageReader, NamesWhatIsMisshapen) {
   EXPECT_THAT(read_misshapen("attribute 'format_version' is missing",
                              [](auto& root) { write_count_attribute(root, "format_version", 7); }),
-              HasSubstr("its format version is 7, this program reads 1"));
-  EXPECT_THAT(read_misshapen("attribute 'cycles' is missing",
-                             [](auto& root) { write_text_attribute(open_stage(root), "cycles", "3"); }),
-              HasSubstr("attribute 'cycles' has an unexpected type"));
-  EXPECT_THAT(read_misshapen("attribute 'status' is missing",
-                             [](auto& root) { write_text_attribute(open_stage(root), "status", "lost"); }),
+              HasSubstr("its format version is 7, this program reads 1 to 2"));
+  EXPECT_THAT(read_misshapen("dataset 'cycles' is missing",
+                             [](auto& root) { write_text(open_stage(root), "cycles", "3"); }),
+              HasSubstr("dataset 'cycles' has an unexpected type"));
+  EXPECT_THAT(read_misshapen("dataset 'status' is missing",
+                             [](auto& root) { write_text(open_stage(root), "status", "lost"); }),
               HasSubstr("stage 'no_wear': status 'lost' is not known"));
   EXPECT_THAT(read_misshapen("dataset 'model_text' is missing",
                              [](auto& root) { write_series(root, "model_text", std::array{1.0}); }),
-              HasSubstr("dataset 'model_text' is not a text"));
+              HasSubstr("dataset 'model_text' has an unexpected type"));
   EXPECT_THAT(
-      read_misshapen("dataset 'events' is missing", [](auto& root) { write_series(open_stage(root), "events", {}); }),
+      read_misshapen("table 'events' is missing", [](auto& root) { write_series(open_stage(root), "events", {}); }),
       HasSubstr("dataset 'events' is not a table"));
-  EXPECT_THAT(read_misshapen("dataset 'events' is missing",
+  EXPECT_THAT(read_misshapen("table 'events' is missing",
                              [](auto& root) { write_table(open_stage(root), "events", kOverrideShape, nullptr, 0); }),
               HasSubstr("table 'events' lacks the column 'joint'"));
-  const ContactEvent stray{4, 0.0, 0.0, 0.0, 0.0, 0.0};
-  EXPECT_THAT(read_misshapen("dataset 'events' is missing",
+  const ContactEvent stray{4, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0};
+  EXPECT_THAT(read_misshapen("table 'events' is missing",
                              [&](auto& root) { write_table(open_stage(root), "events", kEventShape, &stray, 1); }),
               HasSubstr("an event names joint 4 of 0"));
+  EXPECT_THAT(read_misshapen("table 'events' is missing",
+                             [](auto& root) {
+                               const Hdf5Handle stage = open_stage(root);
+                               write_table(stage, "events", kEventShape, nullptr, 0);
+                               const Hdf5Handle events = open_group(stage, "events");
+                               remove_link(events, "angle");
+                               write_series(events, "angle", std::array{1.0, 2.0});
+                             }),
+              HasSubstr("column 'angle' of table 'events' has 2 rows where 'joint' has 0"));
   EXPECT_THAT(read_misshapen("stage 'no_wear': dataset 'time' is missing",
-                             [](auto& root) { write_text(open_stage(root), "time", "noon"); }),
+                             [](auto& root) { write_text(open_group(open_stage(root), "channels"), "time", "noon"); }),
               HasSubstr("dataset 'time' is not of numbers"));
 }
 

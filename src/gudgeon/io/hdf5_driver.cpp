@@ -54,8 +54,10 @@ H5FD_t* open_target(const char*, unsigned, hid_t access, haddr_t) {
   return &file->library;
 }
 
-herr_t close_target(H5FD_t* file) {
-  delete &find_file(file);
+herr_t close_target(H5FD_t* at) {
+  TargetFile& file = find_file(at);
+  file.target->end = file.end;
+  delete &file;
   return 0;
 }
 
@@ -79,45 +81,101 @@ herr_t set_end(H5FD_t* file, H5FD_mem_t, haddr_t end) {
   return 0;
 }
 
-herr_t read_bytes(H5FD_t* from, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* buffer) {
-  std::span<std::byte> rest(static_cast<std::byte*>(buffer), size);
+/// Reads what the file has; beyond its end there are zeros: addresses given out but not written yet.
+bool read_from_disk(int descriptor, std::uint64_t address, std::span<std::byte> rest) {
   while (!rest.empty()) {
-    const ssize_t count =
-        ::pread(find_file(from).target->descriptor, rest.data(), rest.size(), static_cast<off_t>(address));
+    const ssize_t count = ::pread(descriptor, rest.data(), rest.size(), static_cast<off_t>(address));
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return -1;
+    if (count < 0) return false;
     if (count == 0) break;
     rest = rest.subspan(static_cast<std::size_t>(count));
-    address += static_cast<haddr_t>(count);
+    address += static_cast<std::uint64_t>(count);
   }
-  std::ranges::fill(rest, std::byte{0});  // addresses given out but not written yet
+  std::ranges::fill(rest, std::byte{0});
+  return true;
+}
+
+/// Calls use(page number, first byte in the page, bytes of the span that lie in it).
+template <class Byte, class Use>
+void for_each_page(std::uint64_t address, std::span<Byte> bytes, Use use) {
+  while (!bytes.empty()) {
+    const std::uint64_t within = address % Hdf5Target::kPageSize;
+    const std::size_t size = std::min<std::size_t>(bytes.size(), Hdf5Target::kPageSize - within);
+    use(address / Hdf5Target::kPageSize, within, bytes.first(size));
+    bytes = bytes.subspan(size);
+    address += size;
+  }
+}
+
+herr_t read_bytes(H5FD_t* from, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* buffer) {
+  const Hdf5Target& target = *find_file(from).target;
+  const std::span<std::byte> bytes(static_cast<std::byte*>(buffer), size);
+  if (!read_from_disk(target.descriptor, address, bytes)) return -1;
+  if (target.pages.empty()) return 0;
+  for_each_page(address, bytes, [&](std::uint64_t number, std::uint64_t within, std::span<std::byte> part) {
+    const auto page = target.pages.find(number);
+    if (page != target.pages.end()) std::memcpy(part.data(), page->second.data() + within, part.size());
+  });
   return 0;
+}
+
+/// Changes copies of the pages.
+void write_to_pages(Hdf5Target& target, std::uint64_t address, std::span<const std::byte> bytes) {
+  for_each_page(address, bytes, [&](std::uint64_t number, std::uint64_t within, std::span<const std::byte> part) {
+    auto page = target.pages.find(number);
+    if (page == target.pages.end()) {
+      page = target.pages.emplace(number, Hdf5Target::Page{}).first;
+      if (!read_from_disk(target.descriptor, number * Hdf5Target::kPageSize, page->second)) target.failure = errno;
+    }
+    std::memcpy(page->second.data() + within, part.data(), part.size());
+  });
+}
+
+void write_to_disk(Hdf5Target& target, std::uint64_t address, std::span<const std::byte> rest) {
+  while (!rest.empty() && target.failure == 0) {
+    const ssize_t count = ::pwrite(target.descriptor, rest.data(), rest.size(), static_cast<off_t>(address));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      target.failure = errno;
+      break;
+    }
+    rest = rest.subspan(static_cast<std::size_t>(count));
+    address += static_cast<std::uint64_t>(count);
+  }
 }
 
 herr_t write_bytes_at(H5FD_t* to, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, const void* buffer) {
   TargetFile& file = find_file(to);
+  Hdf5Target& target = *file.target;
   file.file_end = std::max(file.file_end, address + size);
-  std::span<const std::byte> rest(static_cast<const std::byte*>(buffer), size);
-  while (!rest.empty() && file.target->failure == 0) {
-    const ssize_t count = ::pwrite(file.target->descriptor, rest.data(), rest.size(), static_cast<off_t>(address));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      file.target->failure = errno;
-      break;
-    }
-    rest = rest.subspan(static_cast<std::size_t>(count));
-    address += static_cast<haddr_t>(count);
+  const std::span<const std::byte> bytes(static_cast<const std::byte*>(buffer), size);
+  const std::size_t n_protected =
+      address < target.protected_end ? std::min<std::size_t>(size, target.protected_end - address) : 0;
+  try {
+    write_to_pages(target, address, bytes.first(n_protected));
+  } catch (const std::bad_alloc&) {
+    target.failure = ENOMEM;
   }
+  write_to_disk(target, address + n_protected, bytes.subspan(n_protected));
+  // The rest of a page that is half protected is read from its copy.
+  for_each_page(address + n_protected, bytes.subspan(n_protected),
+                [&](std::uint64_t number, std::uint64_t within, std::span<const std::byte> part) {
+                  const auto page = target.pages.find(number);
+                  if (page != target.pages.end()) std::memcpy(page->second.data() + within, part.data(), part.size());
+                });
   return 0;
 }
 
-/// Cuts off, or fills up, what stands behind the last address given out.
+/// Cuts off, or fills up, what stands behind the last address given out; what is protected is cut off by who commits.
 herr_t cut_off(H5FD_t* at, hid_t, hbool_t) {
   TargetFile& file = find_file(at);
-  if (file.file_end == file.end || file.target->failure != 0) return 0;
-  const bool done = ::ftruncate(file.target->descriptor, static_cast<off_t>(file.end)) == 0;
-  if (!done && errno != EINVAL) file.target->failure = errno;  // EINVAL: a device that has no length
-  file.file_end = file.end;
+  Hdf5Target& target = *file.target;
+  target.end = file.end;
+  const std::uint64_t end = std::max<std::uint64_t>(file.end, target.protected_end);
+  if (file.file_end == end || target.failure != 0) return 0;
+  const bool done = ::ftruncate(target.descriptor, static_cast<off_t>(end)) == 0;
+  if (!done && errno != EINVAL) target.failure = errno;  // EINVAL: a device that has no length
+  file.file_end = end;
   return 0;
 }
 

@@ -37,6 +37,19 @@ Hdf5Handle open_attribute(const Hdf5Handle& node, const std::string& name, H5T_c
   return attribute;
 }
 
+H5L_type_t find_link_type(const Hdf5Handle& parent, const std::string& name) {
+  H5L_info_t link{};
+  check_status(H5Lget_info(parent.id(), name.c_str(), &link, H5P_DEFAULT), "cannot look at", name);
+  return link.type;
+}
+
+bool keeps_order(const Hdf5Handle& group) {
+  const Hdf5Handle creation = check_id(H5Gget_create_plist(group.id()), "cannot look at group", "");
+  unsigned order = 0;
+  check_status(H5Pget_link_creation_order(creation.id(), &order), "cannot look at the order of group", "");
+  return (order & H5P_CRT_ORDER_TRACKED) != 0;
+}
+
 herr_t keep_name(hid_t, const char* name, const H5L_info_t*, void* names) {
   try {
     static_cast<std::vector<std::string>*>(names)->emplace_back(name);
@@ -57,20 +70,38 @@ Hdf5Handle open_root(const Hdf5Handle& file) {
   return check_id(H5Gopen2(file.id(), "/", H5P_DEFAULT), "cannot open group", "/");
 }
 
-Hdf5Handle make_group(const Hdf5Handle& parent, const std::string& name) {
+void keep_order(const Hdf5Handle& creation) {
+  constexpr unsigned kMostCompact = 65535;  // all that HDF5 allows
+  check_status(H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+               "cannot keep order of", "links");
+  check_status(H5Pset_link_phase_change(creation.id(), kMostCompact, 0), "cannot keep compact", "links");
+}
+
+Hdf5Handle make_group(const Hdf5Handle& parent, const std::string& name, unsigned n_members, unsigned name_size) {
   check_name(name);
-  return check_id(H5Gcreate2(parent.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "cannot make group",
+  const Hdf5Handle creation = check_id(H5Pcreate(H5P_GROUP_CREATE), "cannot make", "group creation");
+  keep_order(creation);
+  if (n_members > 0) {
+    check_status(H5Pset_est_link_info(creation.id(), n_members, name_size), "cannot make room in group", name);
+  }
+  return check_id(H5Gcreate2(parent.id(), name.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT), "cannot make group",
                   name);
 }
 
 Hdf5Handle open_group(const Hdf5Handle& parent, const std::string& name) {
-  if (!has_link(parent, name)) throw FileError(fmt::format("group '{}' is missing", name));
+  require_link(parent, name, "group");
   return check_id(H5Gopen2(parent.id(), name.c_str(), H5P_DEFAULT), "cannot open group", name);
 }
 
-Hdf5Handle open_dataset(const Hdf5Handle& parent, const std::string& name) {
-  if (!has_link(parent, name)) throw FileError(fmt::format("dataset '{}' is missing", name));
-  return check_id(H5Dopen2(parent.id(), name.c_str(), H5P_DEFAULT), "cannot open dataset", name);
+void require_link(const Hdf5Handle& parent, const std::string& name, std::string_view what) {
+  if (!has_link(parent, name)) throw FileError(fmt::format("{} '{}' is missing", what, name));
+  if (find_link_type(parent, name) == H5L_TYPE_HARD) return;
+  throw FileError(fmt::format("{} '{}' is a link to elsewhere where a run file has its own", what, name));
+}
+
+bool is_group(const Hdf5Handle& parent, const std::string& name) {
+  const Hdf5Handle node = check_id(H5Oopen(parent.id(), name.c_str(), H5P_DEFAULT), "cannot open", name);
+  return H5Iget_type(node.id()) == H5I_GROUP;
 }
 
 void make_soft_link(const Hdf5Handle& parent, const std::string& name, const std::string& target) {
@@ -78,9 +109,8 @@ void make_soft_link(const Hdf5Handle& parent, const std::string& name, const std
                name);
 }
 
-void copy_group(const Hdf5Handle& from, const std::string& name, const Hdf5Handle& to) {
-  check_status(H5Ocopy(from.id(), name.c_str(), to.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "cannot copy group",
-               name);
+void remove_link(const Hdf5Handle& parent, const std::string& name) {
+  check_status(H5Ldelete(parent.id(), name.c_str(), H5P_DEFAULT), "cannot remove", name);
 }
 
 bool has_link(const Hdf5Handle& parent, const std::string& name) {
@@ -89,9 +119,18 @@ bool has_link(const Hdf5Handle& parent, const std::string& name) {
 
 bool has_attribute(const Hdf5Handle& node, const std::string& name) { return H5Aexists(node.id(), name.c_str()) > 0; }
 
-std::vector<std::string> find_children(const Hdf5Handle& group) {
+std::vector<std::string> find_members(const Hdf5Handle& group) {
   std::vector<std::string> names;
-  check_status(H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, keep_name, &names), "cannot list group", "");
+  const H5_index_t index = keeps_order(group) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+  check_status(H5Literate(group.id(), index, H5_ITER_INC, nullptr, keep_name, &names), "cannot list group", "");
+  std::erase_if(names, [&](const std::string& name) { return find_link_type(group, name) == H5L_TYPE_SOFT; });
+  for (const std::string& name : names) require_link(group, name, "member");
+  return names;
+}
+
+std::vector<std::string> find_children(const Hdf5Handle& group) {
+  std::vector<std::string> names = find_members(group);
+  if (keeps_order(group)) return names;
   std::vector<std::pair<std::int64_t, std::string>> ordered;
   for (std::string& name : names) {
     const Hdf5Handle child = check_id(H5Oopen(group.id(), name.c_str(), H5P_DEFAULT), "cannot open", name);
@@ -99,27 +138,24 @@ std::vector<std::string> find_children(const Hdf5Handle& group) {
   }
   std::ranges::sort(ordered);
   names.clear();
-  for (auto& [order, name] : ordered) names.push_back(std::move(name));
+  for (auto& [place, name] : ordered) names.push_back(std::move(name));
   return names;
 }
 
 void write_text_attribute(const Hdf5Handle& node, const std::string& name, const std::string& text) {
-  write_attribute(node, name, make_text_type(text.size()).id(), text.c_str());
+  write_attribute(node, name, make_text_type(text.size(), is_ascii(text)).id(), text.c_str());
 }
 
 void write_count_attribute(const Hdf5Handle& node, const std::string& name, std::int64_t count) {
   write_attribute(node, name, H5T_NATIVE_INT64, &count);
 }
 
-void write_real_attribute(const Hdf5Handle& node, const std::string& name, double value) {
-  write_attribute(node, name, H5T_NATIVE_DOUBLE, &value);
-}
-
 std::string read_text_attribute(const Hdf5Handle& node, const std::string& name) {
   const Hdf5Handle attribute = open_attribute(node, name, H5T_STRING, H5T_STRING);
   const Hdf5Handle type = check_id(H5Aget_type(attribute.id()), "cannot read the type of attribute", name);
+  const Hdf5Handle wanted = make_reading_type(type, fmt::format("attribute '{}'", name));
   std::string text(H5Tget_size(type.id()), '\0');
-  check_status(H5Aread(attribute.id(), make_text_type(text.size()).id(), text.data()), "cannot read attribute", name);
+  check_status(H5Aread(attribute.id(), wanted.id(), text.data()), "cannot read attribute", name);
   text.erase(text.find_last_not_of('\0') + 1);
   return text;
 }
@@ -136,6 +172,27 @@ double read_real_attribute(const Hdf5Handle& node, const std::string& name) {
   double value = 0.0;
   check_status(H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value), "cannot read attribute", name);
   return value;
+}
+
+bool is_ascii(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 128; });
+}
+
+Hdf5Handle make_text_type(std::size_t size, bool is_ascii) {
+  Hdf5Handle type = check_id(H5Tcopy(H5T_C_S1), "cannot make", "text type");
+  check_status(H5Tset_size(type.id(), size + 1), "cannot size", "text type");
+  check_status(H5Tset_strpad(type.id(), H5T_STR_NULLTERM), "cannot pad", "text type");
+  check_status(H5Tset_cset(type.id(), is_ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8), "cannot encode", "text type");
+  return type;
+}
+
+Hdf5Handle make_reading_type(const Hdf5Handle& on_file, const std::string& what) {
+  if (H5Tget_class(on_file.id()) != H5T_STRING || H5Tis_variable_str(on_file.id()) != 0) {
+    throw FileError(fmt::format("{} has an unexpected type or size", what));
+  }
+  Hdf5Handle type = check_id(H5Tcopy(on_file.id()), "cannot make", "text type");
+  check_status(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "cannot pad", "text type");
+  return type;
 }
 
 }  // namespace gudgeon

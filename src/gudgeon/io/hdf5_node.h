@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Groups, attributes and datasets of an HDF5 file in the few shapes a run file has. Under an Hdf5Session.
+// Groups, links and attributes of an HDF5 file in the few shapes a run file has. Under an Hdf5Session.
 // Everything read is checked for type and size first: a foreign file gives a FileError.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,45 +18,42 @@ namespace gudgeon {
 /// FileError for a name HDF5 would read as a path ('/') or as the group itself ('.').
 void check_name(const std::string& name);
 
+/// Has a group keep the order its members come in, and its links in its own header, which has a checksum: HDF5 1.10
+/// crashes over damaged files whose links lie elsewhere. Creation properties of a group or file.
+void keep_order(const Hdf5Handle& creation);
+
 /// The root group of an open file.
 Hdf5Handle open_root(const Hdf5Handle& file);
-Hdf5Handle make_group(const Hdf5Handle& parent, const std::string& name);
+/// With room for so many members whose names have up to that many bytes, where more are to come later.
+Hdf5Handle make_group(const Hdf5Handle& parent, const std::string& name, unsigned n_members = 0,
+                      unsigned name_size = 0);
+/// FileError when it is missing, or lies in another file.
 Hdf5Handle open_group(const Hdf5Handle& parent, const std::string& name);
-Hdf5Handle open_dataset(const Hdf5Handle& parent, const std::string& name);
 void make_soft_link(const Hdf5Handle& parent, const std::string& name, const std::string& target);
+void remove_link(const Hdf5Handle& parent, const std::string& name);
 [[nodiscard]] bool has_link(const Hdf5Handle& parent, const std::string& name);
+/// FileError "<what> 'name' is missing", or what leads out of the file.
+void require_link(const Hdf5Handle& parent, const std::string& name, std::string_view what);
+[[nodiscard]] bool is_group(const Hdf5Handle& parent, const std::string& name);
 [[nodiscard]] bool has_attribute(const Hdf5Handle& node, const std::string& name);
-/// Names of everything in a group, sorted by each child's attribute 'order'.
+/// Names of everything in a group, in the order it was made where the group keeps that. Links to members of other groups
+/// are left out; FileError when anything in it leads out of the file.
+std::vector<std::string> find_members(const Hdf5Handle& group);
+/// The same, in files of format 1 sorted by each child's attribute 'order'.
 std::vector<std::string> find_children(const Hdf5Handle& group);
 
 void write_text_attribute(const Hdf5Handle& node, const std::string& name, const std::string& text);
 void write_count_attribute(const Hdf5Handle& node, const std::string& name, std::int64_t count);
-void write_real_attribute(const Hdf5Handle& node, const std::string& name, double value);
 std::string read_text_attribute(const Hdf5Handle& node, const std::string& name);
 std::int64_t read_count_attribute(const Hdf5Handle& node, const std::string& name);
 double read_real_attribute(const Hdf5Handle& node, const std::string& name);
 
-/// A text as scalar dataset, UTF-8.
-void write_text(const Hdf5Handle& parent, const std::string& name, const std::string& text);
-std::string read_text(const Hdf5Handle& parent, const std::string& name);
-
-/// A 1-D dataset of doubles, chunked and compressed without loss; returned open for its attributes.
-Hdf5Handle write_series(const Hdf5Handle& parent, const std::string& name, std::span<const double> values);
-/// The same, but growing: empty, in chunks of so many rows. Writing each chunk in one piece is fastest.
-Hdf5Handle make_growing_series(const Hdf5Handle& parent, const std::string& name, std::size_t chunk_rows);
-/// Adds to a growing series.
-void extend_series(const Hdf5Handle& parent, const std::string& name, std::span<const double> values);
-std::vector<double> read_series(const Hdf5Handle& parent, const std::string& name);
-
-/// Copies a group with all that is in it from another file.
-void copy_group(const Hdf5Handle& from, const std::string& name, const Hdf5Handle& to);
-
-/// Creation properties of a 1-D dataset of so many rows: chunks, shuffle and deflate where they pay.
-Hdf5Handle make_storage(std::size_t n_rows);
-/// Rows of a 1-D dataset; FileError when it has another shape.
-std::size_t find_row_count(const Hdf5Handle& dataset, const std::string& name);
-/// The type of a UTF-8 text of that many bytes, filled up with NUL. Texts of variable length would lie in HDF5's
-/// global heap, which has no checksum: a damaged one crashes the library.
-Hdf5Handle make_text_type(std::size_t size);
+/// The type of a text of that many bytes and a NUL behind it, which some readers go on to. Texts of variable length
+/// would lie in HDF5's global heap, which has no checksum.
+Hdf5Handle make_text_type(std::size_t size, bool is_ascii);
+[[nodiscard]] bool is_ascii(std::string_view text);
+/// The type that a text of that type, on file, is read into, whatever its character set; FileError "what has an
+/// unexpected type or size" when it is no text of fixed length.
+Hdf5Handle make_reading_type(const Hdf5Handle& on_file, const std::string& what);
 
 }  // namespace gudgeon

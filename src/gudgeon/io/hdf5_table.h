@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Compound datasets: rows of a plain struct, described by a table of its fields. Under an Hdf5Session.
+// Tables: groups of columns of the same length, from and to rows of a plain struct that a table of its fields describes.
+// Under an Hdf5Session.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "gudgeon/io/hdf5_node.h"
+#include "gudgeon/io/hdf5_handle.h"
 
 namespace gudgeon {
 
@@ -20,7 +21,7 @@ enum class FieldKind {
   text,   ///< const char*, ended by NUL
 };
 
-/// One column; its unit becomes the dataset's attribute "NAME.unit".
+/// One column.
 struct TableField {
   const char* name;
   const char* unit;
@@ -29,7 +30,7 @@ struct TableField {
   bool may_lack = false;  ///< files of before it was there are read with zero
 };
 
-/// The shape of a row in memory and on disk.
+/// The shape of a row in memory, and its columns in the file.
 struct TableShape {
   std::span<const TableField> fields;
   std::size_t row_size;  ///< [bytes]
@@ -38,7 +39,7 @@ struct TableShape {
 void write_table(const Hdf5Handle& parent, const std::string& name, TableShape shape, const void* rows,
                  std::size_t n_rows);
 
-/// Hands over every row in order; its texts live only during the call.
+/// Hands over every row in order; its texts live only during the call. Reads tables of format 1, too.
 void read_table(const Hdf5Handle& parent, const std::string& name, TableShape shape,
                 const std::function<void(const void* row)>& take);
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "gudgeon/results/run_record.h"
@@ -13,7 +14,8 @@
 namespace gudgeon {
 
 inline constexpr const char* kRunFormat = "gudgeon run";
-inline constexpr std::int64_t kRunFormatVersion = 1;
+inline constexpr std::int64_t kRunFormatVersion = 2;
+inline constexpr std::string_view kTimeName = "time";  ///< among the channels, whose names all have a point
 
 /// One member of a record: its name on file, its SI unit, where it is stored.
 template <class Record, class Value>

@@ -13,6 +13,7 @@
 
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/hdf5_file.h"
+#include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/hdf5_node.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/run_tables.h"
@@ -30,7 +31,8 @@ auto read_inside(const std::filesystem::path& file, Read read) {
   std::string why;
   try {
     const Hdf5Session session;
-    return read(open_root(open_file(file)));
+    const Hdf5Source source(file);
+    return read(source.root());
   } catch (const FileError& error) {
     why = error.what();
   } catch (const std::bad_alloc&) {
@@ -57,8 +59,8 @@ void check_format(const Hdf5Handle& root) {
     throw FileError("it is an HDF5 file of another program");
   }
   const std::int64_t version = read_count_attribute(root, "format_version");
-  if (version != kRunFormatVersion) {
-    throw FileError(fmt::format("its format version is {}, this program reads {}", version, kRunFormatVersion));
+  if (version < 1 || version > kRunFormatVersion) {
+    throw FileError(fmt::format("its format version is {}, this program reads 1 to {}", version, kRunFormatVersion));
   }
 }
 
@@ -111,6 +113,8 @@ RunRecord read_run(const std::filesystem::path& file) {
     return run;
   });
 }
+
+RunRecord read_run_header(const std::filesystem::path& file) { return read_inside(file, read_header); }
 
 RunRecord read_run_outline(const std::filesystem::path& file) { return read_inside(file, read_outline); }
 

@@ -15,6 +15,9 @@ namespace gudgeon {
 /// Everything.
 RunRecord read_run(const std::filesystem::path& file);
 
+/// All but the stages.
+RunRecord read_run_header(const std::filesystem::path& file);
+
 /// All but StageRecord::values and time; values has an empty vector for each channel.
 RunRecord read_run_outline(const std::filesystem::path& file);
 

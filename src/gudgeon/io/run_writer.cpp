@@ -1,20 +1,24 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Root of a run file; stages are added to a copy on disk, which then replaces the file as a whole.
+// Root of a run file; stages are added to the file in place, each at once.
 #include "gudgeon/io/run_writer.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/hdf5_file.h"
 #include "gudgeon/io/hdf5_node.h"
+#include "gudgeon/io/page_journal.h"
 #include "gudgeon/io/record_fields.h"
+#include "gudgeon/io/run_reader.h"
 #include "gudgeon/io/run_tables.h"
 #include "gudgeon/io/safe_file.h"
 #include "gudgeon/io/stage_writer.h"
@@ -23,61 +27,62 @@ namespace gudgeon {
 
 namespace {
 
+constexpr unsigned kMostStages = 40;  // that the group's own header has room for from the start
+
 void write_header(const Hdf5Handle& root, const RunRecord& header) {
   write_text_attribute(root, "format", kRunFormat);
   write_count_attribute(root, "format_version", kRunFormatVersion);
   write_text_attribute(root, "program_version", header.program_version);
   write_text_attribute(root, "model_file", header.model_file);
   write_text_attribute(root, "case_name", header.case_name);
+  // What changes with every stage comes first: it then changes with the file's first page.
+  make_group(root, "stages", kMostStages, 8);
   write_text(root, "model_text", header.model_text);
   write_text(root, "explained", header.explained);
   std::vector<OverrideRow> overrides;
   for (const auto& [path, text] : header.overrides) overrides.push_back({path.c_str(), text.c_str()});
   write_table(root, "overrides", kOverrideShape, overrides.data(), overrides.size());
-  make_group(root, "stages");
 }
 
 /// A failed stage is found without reading all of them.
 void write_failure(const Hdf5Handle& root, const StageRecord& stage) {
   if (has_link(root, "failure")) return;  // the first one is the cause
   const Hdf5Handle failure = make_group(root, "failure");
-  write_text_attribute(failure, "stage_name", stage.name);
-  write_text_attribute(failure, "message", stage.message);
-  write_real_attribute(failure, "time", stage.end_time);
-  write_text_attribute(failure, "time.unit", "s");
+  write_text(failure, "stage_name", stage.name);
+  write_text(failure, "message", stage.message);
+  write_real(failure, "time", stage.end_time, "s");
   make_soft_link(failure, "stage", "/stages/" + stage.name);
 }
 
-void copy_stages(const std::filesystem::path& file, std::span<const std::string> names, const Hdf5Handle& root) {
-  if (names.empty()) return;
-  try {
-    const Hdf5Handle from = open_group(open_root(open_file(file)), "stages");
-    const Hdf5Handle to = open_group(root, "stages");
-    for (const std::string& name : names) copy_group(from, name, to);
-  } catch (const FileError& error) {
-    throw FileError(
-        fmt::format("{}: its stages cannot be taken over: {}; it is as it was", file.string(), error.what()));
+void make_file(const std::filesystem::path& file, const RunRecord& header) {
+  PartialFile partial(file);
+  {
+    const Hdf5Session session;
+    change_inside(partial, [&](const Hdf5Handle& root) { write_header(root, header); });
   }
+  std::error_code none;
+  std::filesystem::remove(find_journal(file), none);  // of the file that is replaced
+  partial.put_in_place();
 }
 
-/// Changes the stages of the partial file, and tells of which stage the trouble is.
-void change_stages(const PartialFile& partial, std::string_view stage,
-                   const std::function<void(const Hdf5Handle& root, const Hdf5Handle& stages)>& change) {
+/// Whether there is anything but the stages that are kept; FileError when one of those is missing.
+bool has_others(const Hdf5Handle& root, std::span<const std::string> kept) {
+  const Hdf5Handle stages = open_group(root, "stages");
+  for (const std::string& name : kept) require_link(stages, name, "stage");
+  return has_link(root, "failure") || find_members(stages).size() != kept.size();
+}
+
+void remove_others(const Hdf5Handle& root, std::span<const std::string> kept) {
+  const Hdf5Handle stages = open_group(root, "stages");
+  for (const std::string& name : find_members(stages)) {
+    if (std::ranges::find(kept, name) == kept.end()) remove_link(stages, name);
+  }
+  if (has_link(root, "failure")) remove_link(root, "failure");  // a stage that failed is not kept
+}
+
+bool is_of_this_format(const std::filesystem::path& file) {
   const Hdf5Session session;
-  change_inside(partial, [&](const Hdf5Handle& root) {
-    try {
-      change(root, open_group(root, "stages"));
-    } catch (const FileError& error) {
-      throw FileError(fmt::format("{}: stage '{}' cannot be added: {}; earlier stages are kept",
-                                  partial.file().string(), stage, error.what()));
-    }
-  });
-}
-
-std::unique_ptr<PartialFile> copy_to_partial(const std::filesystem::path& file) {
-  auto partial = std::make_unique<PartialFile>(file);
-  partial->write_old_version();
-  return partial;
+  return read_count_attribute(Hdf5Source(file).root(), "format_version") == kRunFormatVersion;
 }
 
 }  // namespace
@@ -86,37 +91,74 @@ RunWriter::RunWriter(std::filesystem::path file, const RunRecord& header, bool o
                      std::span<const std::string> kept)
     : file_(std::move(file)) {
   check_target(file_, overwrite);
-  PartialFile partial(file_);
-  {
-    const Hdf5Session session;
-    change_inside(partial, [&](const Hdf5Handle& root) {
-      write_header(root, header);
-      copy_stages(file_, kept, root);
-    });
+  if (kept.empty()) {
+    make_file(file_, header);
+    open();
+  } else if (is_of_this_format(file_)) {
+    open();
+    keep(kept);
+  } else {
+    renew(header, kept);
   }
-  partial.put_in_place();
+}
+
+RunWriter::~RunWriter() {
+  const Hdf5Session session;
+  growing_.reset();
+}
+
+void RunWriter::open() {
+  const Hdf5Session session;
+  growing_ = std::make_unique<GrowingFile>(file_);
+}
+
+void RunWriter::keep(std::span<const std::string> stages) {
+  const Hdf5Session session;
+  try {
+    if (!has_others(Hdf5Source(file_).root(), stages)) return;
+    growing_->change([&](const Hdf5Handle& root) { remove_others(root, stages); });
+  } catch (const FileError& error) {
+    throw FileError(
+        fmt::format("{}: its stages cannot be taken over: {}; it is as it was", file_.string(), error.what()));
+  }
+  growing_->commit();
+}
+
+void RunWriter::renew(const RunRecord& header, std::span<const std::string> stages) {
+  const RunRecord old = read_run(file_);
+  make_file(file_, header);
+  open();
+  for (const std::string& name : stages) append(*find_stage(old, name));
+}
+
+void RunWriter::change(std::string_view stage,
+                       const std::function<void(const Hdf5Handle& root, const Hdf5Handle& stages)>& change) {
+  growing_->change([&](const Hdf5Handle& root) {
+    try {
+      change(root, open_group(root, "stages"));
+    } catch (const FileError& error) {
+      throw FileError(fmt::format("{}: stage '{}' cannot be added: {}; earlier stages are kept", file_.string(), stage,
+                                  error.what()));
+    }
+  });
 }
 
 void RunWriter::append(const SampleBlock& block) {
-  // Held here while it changes: an error takes it away.
-  std::unique_ptr<PartialFile> partial = std::move(partial_);
-  const bool is_first = partial == nullptr;
-  if (is_first) partial = copy_to_partial(file_);
-  change_stages(*partial, block.stage, [&](const Hdf5Handle&, const Hdf5Handle& stages) {
+  const Hdf5Session session;
+  const bool is_first = !growing_->is_changed();
+  change(block.stage, [&](const Hdf5Handle&, const Hdf5Handle& stages) {
     is_first ? begin_stage(stages, block) : extend_stage(stages, block);
   });
-  partial_ = std::move(partial);
 }
 
 void RunWriter::append(const StageRecord& stage) {
-  std::unique_ptr<PartialFile> partial = std::move(partial_);
-  const bool is_whole = partial == nullptr;
-  if (is_whole) partial = copy_to_partial(file_);
-  change_stages(*partial, stage.name, [&](const Hdf5Handle& root, const Hdf5Handle& stages) {
+  const Hdf5Session session;
+  const bool is_whole = !growing_->is_changed();
+  change(stage.name, [&](const Hdf5Handle& root, const Hdf5Handle& stages) {
     is_whole ? write_stage(stages, stage) : end_stage(stages, stage);
     if (stage.status == StageStatus::failed) write_failure(root, stage);
   });
-  partial->put_in_place();
+  growing_->commit();
 }
 
 }  // namespace gudgeon

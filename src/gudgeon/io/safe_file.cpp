@@ -12,9 +12,7 @@
 
 #include <cerrno>
 #include <cstring>
-#include <memory>
 #include <utility>
-#include <vector>
 
 #include "gudgeon/base/diagnostics.h"
 
@@ -42,7 +40,9 @@ std::string_view find_next_step(int why) {
   }
 }
 
-[[noreturn]] void fail(const std::filesystem::path& file, std::string_view what, int why) {
+}  // namespace
+
+void fail_file(const std::filesystem::path& file, std::string_view what, int why) {
   throw FileError(fmt::format("{}: {}: {}; {}", file.string(), what, std::strerror(why), find_next_step(why)));
 }
 
@@ -53,19 +53,33 @@ bool is_same_file(int descriptor, const std::filesystem::path& path) {
          opened.st_dev == there.st_dev;
 }
 
+namespace {
+
+bool is_regular(int descriptor) {
+  struct stat status {};
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 /// Opens the path empty for this process alone: two writers would mix their bytes. A lock ends with its process.
 int open_alone(const std::filesystem::path& path) {
   while (true) {
-    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (descriptor < 0) fail(path, "cannot be created", errno);
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+    if (descriptor < 0 && errno != ELOOP) fail_file(path, "cannot be created", errno);
+    if (descriptor < 0 || !is_regular(descriptor)) {
+      if (descriptor >= 0) ::close(descriptor);
+      throw FileError(
+          fmt::format("{}: cannot be created: what is there is no regular file (a link to another, or a device); move "
+                      "it away",
+                      path.string()));
+    }
     // Where a disk knows no locks, all goes on without.
     const bool is_taken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     // Who held the lock may have put the file in place meanwhile: then it is not ours to empty.
     const bool is_ours = !is_taken && is_same_file(descriptor, path);
     const int why = is_ours && ::ftruncate(descriptor, 0) != 0 ? errno : 0;
-    if (is_ours && (why == 0 || why == EINVAL)) return descriptor;  // EINVAL: a device that has no length
+    if (is_ours && why == 0) return descriptor;
     ::close(descriptor);
-    if (is_ours) fail(path, "cannot be created", why);
+    if (is_ours) fail_file(path, "cannot be created", why);
     if (is_taken) {
       throw FileError(
           fmt::format("{}: another run is writing it; wait for its end or choose another place", path.string()));
@@ -73,7 +87,14 @@ int open_alone(const std::filesystem::path& path) {
   }
 }
 
-constexpr std::size_t kCopyPiece = 1u << 18;  // [bytes] large enough that calls cost nothing beside the disk
+/// The name is on the disk, too; where directories know no fsync, all goes on without.
+void synchronize_directory(const std::filesystem::path& file) {
+  const std::filesystem::path directory = file.has_parent_path() ? file.parent_path() : ".";
+  const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
 
 }  // namespace
 
@@ -106,31 +127,23 @@ void PartialFile::write(std::span<const std::byte> bytes) {
   }
 }
 
-void PartialFile::write_old_version() {
-  const int source = ::open(file_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (source < 0) fail(file_, "cannot be read", errno);
-  const std::unique_ptr<const int, void (*)(const int*)> closing(&source, [](const int* open) { ::close(*open); });
-  std::vector<std::byte> piece(kCopyPiece);
-  while (true) {
-    const ssize_t count = ::read(source, piece.data(), piece.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(file_, "cannot be read", errno);
-    if (count == 0) return;
-    write(std::span(piece).first(static_cast<std::size_t>(count)));
-  }
-}
-
 void PartialFile::put_in_place() {
   if (::fsync(descriptor_) != 0 && errno != EINVAL) fail_write(errno);  // EINVAL: a place that knows no fsync
-  const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
-  if (closed && ::rename(path_.c_str(), file_.c_str()) == 0) return;
+  if (!is_same_file(descriptor_, path_)) {
+    ::close(std::exchange(descriptor_, -1));
+    throw FileError(fmt::format("{}: another program took {} away while it was written; run again where nothing else "
+                                "writes",
+                                file_.string(), path_.filename().string()));
+  }
+  const bool is_there = ::rename(path_.c_str(), file_.c_str()) == 0;
   const int why = errno;
-  ::unlink(path_.c_str());
-  if (!closed) fail_write(why);
-  fail(file_, "cannot be put in place", why);
+  if (!is_there) ::unlink(path_.c_str());
+  ::close(std::exchange(descriptor_, -1));
+  if (!is_there) fail_file(file_, "cannot be put in place", why);
+  synchronize_directory(file_);
 }
 
-void PartialFile::fail_write(int why) const { fail(file_, "cannot be written", why); }
+void PartialFile::fail_write(int why) const { fail_file(file_, "cannot be written", why); }
 
 void write_whole(const std::filesystem::path& file, std::string_view text) {
   PartialFile partial(file);
@@ -141,7 +154,7 @@ void write_whole(const std::filesystem::path& file, std::string_view text) {
 void check_target(const std::filesystem::path& file, bool overwrite) {
   struct stat status {};
   if (::stat(file.c_str(), &status) != 0) return;  // nothing there; other troubles show when writing
-  if (S_ISDIR(status.st_mode)) fail(file, "cannot be written", EISDIR);
+  if (S_ISDIR(status.st_mode)) fail_file(file, "cannot be written", EISDIR);
   if (!S_ISREG(status.st_mode)) {
     throw FileError(fmt::format("{}: cannot be written: it is not a regular file; choose another name", file.string()));
   }
@@ -155,12 +168,12 @@ void check_target(const std::filesystem::path& file, bool overwrite) {
 
 void check_source(const std::filesystem::path& file) {
   struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) fail(file, "cannot be read", errno);
-  if (S_ISDIR(status.st_mode)) fail(file, "cannot be read", EISDIR);
+  if (::stat(file.c_str(), &status) != 0) fail_file(file, "cannot be read", errno);
+  if (S_ISDIR(status.st_mode)) fail_file(file, "cannot be read", EISDIR);
   if (!S_ISREG(status.st_mode)) {
     throw FileError(fmt::format("{}: cannot be read: it is not a regular file; choose another file", file.string()));
   }
-  if (::access(file.c_str(), R_OK) != 0) fail(file, "cannot be read", errno);
+  if (::access(file.c_str(), R_OK) != 0) fail_file(file, "cannot be read", errno);
 }
 
 }  // namespace gudgeon

@@ -33,8 +33,6 @@ class PartialFile {
 
   /// FileError when the bytes do not fit on the disk.
   void write(std::span<const std::byte> bytes);
-  /// Writes all of the file that it will replace; FileError when that cannot be read, or written.
-  void write_old_version();
   /// Brings it to the disk and renames it over the file. FileError when that fails.
   void put_in_place();
   /// FileError of the file that a write failed with that errno.
@@ -49,6 +47,11 @@ class PartialFile {
 /// Writes the bytes to the partial file, to the disk, and then renames it over the file. On any failure the file is
 /// as it was, the partial one is gone, and a FileError says which file, what failed, why and what to do.
 void write_whole(const std::filesystem::path& file, std::string_view text);
+
+/// FileError "file: what: why; next step" of that errno.
+[[noreturn]] void fail_file(const std::filesystem::path& file, std::string_view what, int why);
+/// Whether the path leads to what the descriptor was opened on.
+[[nodiscard]] bool is_same_file(int descriptor, const std::filesystem::path& path);
 
 /// FileError when the path cannot take a new file: a directory stands there, or a file that may not be replaced.
 void check_target(const std::filesystem::path& file, bool overwrite);

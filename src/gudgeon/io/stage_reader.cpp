@@ -7,36 +7,51 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/hdf5_node.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/run_tables.h"
+#include "gudgeon/io/stage_checks.h"
 
 namespace gudgeon {
 
 namespace {
 
+int read_cycles(const Hdf5Handle& node) {
+  const std::int64_t cycles = read_count(node, "cycles");
+  if (cycles >= 0 && cycles <= std::numeric_limits<int>::max()) return static_cast<int>(cycles);
+  throw FileError(fmt::format("'cycles' is {}, which no run has", cycles));
+}
+
 template <class Record, class Fields>
 void read_reals(const Hdf5Handle& node, Record& record, const Fields& fields) {
   for (const auto& field : fields) {
-    if (field.may_lack && !has_attribute(node, field.name)) continue;
-    record.*field.member = read_real_attribute(node, field.name);
+    if (field.may_lack && !has_value(node, field.name)) continue;
+    record.*field.member = read_real(node, field.name);
   }
 }
 
 StageStatus read_status(const Hdf5Handle& node) {
-  const std::string text = read_text_attribute(node, "status");
+  const std::string text = read_text(node, "status");
   const auto found = std::ranges::find(kStatusNames, text, [](const StatusName& s) { return std::string(s.name); });
   if (found == kStatusNames.end()) throw FileError(fmt::format("status '{}' is not known", text));
   return found->status;
 }
 
+/// Channels without a dimension have none.
+std::string read_unit(const Hdf5Handle& dataset) {
+  return has_attribute(dataset, "unit") ? read_text_attribute(dataset, "unit") : std::string();
+}
+
 void read_channel_list(const Hdf5Handle& node, StageRecord& stage) {
   const Hdf5Handle group = open_group(node, "channels");
   for (const std::string& name : find_children(group)) {
+    if (name == kTimeName) continue;
     const Hdf5Handle dataset = open_dataset(group, name);
-    stage.channels.push_back({name, read_text_attribute(dataset, "symbol"), read_text_attribute(dataset, "unit"),
+    stage.channels.push_back({name, read_text_attribute(dataset, "symbol"), read_unit(dataset),
                               read_text_attribute(dataset, "description")});
   }
   stage.values.resize(stage.channels.size());
@@ -59,23 +74,19 @@ void read_wear(const Hdf5Handle& node, StageRecord& stage) {
     wear.joint = name;
     read_reals(joint, wear, kWearReals);
     // Files of before slots have it in the radii.
-    if (!has_attribute(joint, "clearance")) wear.clearance = wear.bearing_radius - wear.journal_radius;
+    if (!has_value(joint, "clearance")) wear.clearance = wear.bearing_radius - wear.journal_radius;
     for (const auto& field : kWearSeries) wear.*field.member = read_series(joint, field.name);
   }
 }
 
 void read_events(const Hdf5Handle& node, StageRecord& stage) {
-  read_table(node, "events", kEventShape, [&](const void* bytes) {
-    const auto& event = *static_cast<const ContactEvent*>(bytes);
-    const bool known = event.joint >= 0 && static_cast<std::size_t>(event.joint) < stage.wear.size();
-    if (!known) throw FileError(fmt::format("an event names joint {} of {}", event.joint, stage.wear.size()));
-    stage.events.push_back(event);
-  });
+  read_table(node, "events", kEventShape,
+             [&](const void* bytes) { stage.events.push_back(*static_cast<const ContactEvent*>(bytes)); });
 }
 
 void read_solver(const Hdf5Handle& node, SolverStatistics& solver) {
   const Hdf5Handle group = open_group(node, "solver");
-  for (const auto& field : kSolverCounts) solver.*field.member = read_count_attribute(group, field.name);
+  for (const auto& field : kSolverCounts) solver.*field.member = read_count(group, field.name);
   read_reals(group, solver, kSolverReals);
 }
 
@@ -86,8 +97,8 @@ StageRecord read_stage_outline(const Hdf5Handle& stages, const std::string& name
   StageRecord stage;
   stage.name = name;
   stage.status = read_status(node);
-  stage.message = read_text_attribute(node, "message");
-  stage.cycles = static_cast<int>(read_count_attribute(node, "cycles"));
+  stage.message = read_text(node, "message");
+  stage.cycles = read_cycles(node);
   read_reals(node, stage, kStageReals);
   read_channel_list(node, stage);
   read_statistics(node, stage);
@@ -95,11 +106,16 @@ StageRecord read_stage_outline(const Hdf5Handle& stages, const std::string& name
   read_events(node, stage);
   read_reals(open_group(node, "energy"), stage.ledger, kEnergyReals);
   read_solver(node, stage.solver);
+  check_stage(stage);
   return stage;
 }
 
 void read_stage_time(const Hdf5Handle& stages, StageRecord& stage) {
-  stage.time = read_series(open_group(stages, stage.name), "time");
+  const Hdf5Handle node = open_group(stages, stage.name);
+  const std::string name(kTimeName);
+  // Format 1 has it beside the channels.
+  stage.time = has_link(node, name) ? read_series(node, name) : read_series(open_group(node, "channels"), name);
+  check_times(stage.time);
 }
 
 void read_stage_values(const Hdf5Handle& stages, StageRecord& stage, std::size_t k) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/hdf5_node.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/run_tables.h"
@@ -21,14 +22,9 @@ namespace gudgeon {
 
 namespace {
 
-void write_quantity(const Hdf5Handle& node, const std::string& name, double value, const char* unit) {
-  write_real_attribute(node, name, value);
-  write_text_attribute(node, name + ".unit", unit);
-}
-
 template <class Record, class Fields>
 void write_reals(const Hdf5Handle& node, const Record& record, const Fields& fields) {
-  for (const auto& field : fields) write_quantity(node, field.name, record.*field.member, field.unit);
+  for (const auto& field : fields) write_real(node, field.name, record.*field.member, field.unit);
 }
 
 const char* find_status_name(StageStatus status) {
@@ -40,19 +36,32 @@ void check_size(const SampleBlock& block) {
   throw FileError(fmt::format("stage has {} channels but values of {}", block.channels.size(), block.values.size()));
 }
 
+void write_description(const Hdf5Handle& dataset, const std::string& description) {
+  write_text_attribute(dataset, "description", description);
+  write_text_attribute(dataset, "long_name", description);
+}
+
 /// time and channels, each series made by make(parent, name, its samples).
 template <class Make>
 void make_channels(const Hdf5Handle& node, const SampleBlock& block, Make make) {
   check_size(block);
-  write_text_attribute(make(node, "time", block.time), "unit", "s");
-  const Hdf5Handle group = make_group(node, "channels");
+  std::size_t longest = kTimeName.size();
+  for (const Channel& channel : block.channels) longest = std::max(longest, channel.name.size());
+  const Hdf5Handle group = make_group(node, "channels", static_cast<unsigned>(block.channels.size() + 1),
+                                      static_cast<unsigned>(longest));
+  {
+    const Hdf5Handle time = make(group, std::string(kTimeName), block.time);
+    write_unit(time, "s");
+    write_description(time, "time of each recorded sample");
+    make_scale(time, std::string(kTimeName));
+  }
   for (std::size_t k = 0; k < block.channels.size(); ++k) {
     const Channel& channel = block.channels[k];
     const Hdf5Handle dataset = make(group, channel.name, std::span<const double>(block.values[k]));
-    write_count_attribute(dataset, "order", static_cast<std::int64_t>(k));
-    write_text_attribute(dataset, "unit", channel.unit);
+    write_unit(dataset, channel.unit);
     write_text_attribute(dataset, "symbol", channel.symbol);
-    write_text_attribute(dataset, "description", channel.description);
+    write_description(dataset, channel.description);
+    attach_scale(dataset, group, std::string(kTimeName));
   }
 }
 
@@ -60,10 +69,7 @@ SampleBlock find_samples(const StageRecord& stage) { return {stage.name, stage.c
 
 Hdf5Handle make_stage_group(const Hdf5Handle& stages, const std::string& name) {
   if (has_link(stages, name)) throw FileError("a stage of that name is there already");
-  const std::size_t order = find_children(stages).size();
-  Hdf5Handle node = make_group(stages, name);
-  write_count_attribute(node, "order", static_cast<std::int64_t>(order));
-  return node;
+  return make_group(stages, name, 12, 12);
 }
 
 void write_statistics(const Hdf5Handle& node, const StageRecord& stage) {
@@ -78,13 +84,11 @@ void write_statistics(const Hdf5Handle& node, const StageRecord& stage) {
 
 void write_wear(const Hdf5Handle& node, const StageRecord& stage) {
   const Hdf5Handle group = make_group(node, "wear");
-  std::int64_t order = 0;
   for (const JointWear& wear : stage.wear) {
     const Hdf5Handle joint = make_group(group, wear.joint);
-    write_count_attribute(joint, "order", order++);
     write_reals(joint, wear, kWearReals);
     for (const auto& field : kWearSeries) {
-      write_text_attribute(write_series(joint, field.name, wear.*field.member), "unit", field.unit);
+      write_unit(write_series(joint, field.name, wear.*field.member), field.unit);
     }
   }
 }
@@ -93,21 +97,21 @@ void write_energy(const Hdf5Handle& node, const EnergyLedger& ledger) {
   const Hdf5Handle group = make_group(node, "energy");
   write_reals(group, ledger, kEnergyReals);
   // They follow from the others, for other programs.
-  write_quantity(group, "residual", ledger.residual(), "J");
-  write_quantity(group, "allowed_residual", find_allowed_residual(ledger), "J");
+  write_real(group, "residual", ledger.residual(), "J");
+  write_real(group, "allowed_residual", find_allowed_residual(ledger), "J");
 }
 
 void write_solver(const Hdf5Handle& node, const SolverStatistics& solver) {
   const Hdf5Handle group = make_group(node, "solver");
-  for (const auto& field : kSolverCounts) write_count_attribute(group, field.name, solver.*field.member);
+  for (const auto& field : kSolverCounts) write_count(group, field.name, solver.*field.member);
   write_reals(group, solver, kSolverReals);
 }
 
 /// Everything but the samples.
 void write_findings(const Hdf5Handle& node, const StageRecord& stage) {
-  write_text_attribute(node, "status", find_status_name(stage.status));
-  write_text_attribute(node, "message", stage.message);
-  write_count_attribute(node, "cycles", stage.cycles);
+  write_text(node, "status", find_status_name(stage.status));
+  write_text(node, "message", stage.message);
+  write_count(node, "cycles", stage.cycles);
   write_reals(node, stage, kStageReals);
   write_statistics(node, stage);
   write_table(node, "events", kEventShape, stage.events.data(), stage.events.size());
@@ -135,9 +139,8 @@ void begin_stage(const Hdf5Handle& stages, const SampleBlock& block) {
 
 void extend_stage(const Hdf5Handle& stages, const SampleBlock& block) {
   check_size(block);
-  const Hdf5Handle node = open_group(stages, std::string(block.stage));
-  extend_series(node, "time", block.time);
-  const Hdf5Handle group = open_group(node, "channels");
+  const Hdf5Handle group = open_group(open_group(stages, std::string(block.stage)), "channels");
+  extend_series(group, std::string(kTimeName), block.time);
   for (std::size_t k = 0; k < block.channels.size(); ++k) {
     extend_series(group, block.channels[k].name, block.values[k]);
   }
