@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Run files with bits turned over, cut off, or with what a run file may not have: refused, or read with the same numbers.
+// Run files with bits turned over, cut off, or with what a run file may not have: refused, or read with the same
+// numbers.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -178,9 +179,9 @@ TEST(Damage, LinksToOtherFilesAreNotFollowed) {
   EXPECT_THAT(read_changed([](const Hdf5Handle& root) {
                 const Hdf5Handle stages = open_group(root, "stages");
                 remove_link(stages, "wear_1");
-                check_status(H5Lcreate_external("other.h5", "/stages/wear_1", stages.id(), "wear_1", H5P_DEFAULT,
-                                                H5P_DEFAULT),
-                             "cannot link", "");
+                check_status(
+                    H5Lcreate_external("other.h5", "/stages/wear_1", stages.id(), "wear_1", H5P_DEFAULT, H5P_DEFAULT),
+                    "cannot link", "");
               }),
               HasSubstr("member 'wear_1' is a link to elsewhere"));
   EXPECT_THAT(read_changed([](const Hdf5Handle& root) {
@@ -206,10 +207,9 @@ TEST(Damage, ValuesInOtherFilesAreNotRead) {
                 const Hdf5Handle space = check_id(H5Screate_simple(1, &size, nullptr), "cannot make", "space");
                 const Hdf5Handle storage = check_id(H5Pcreate(H5P_DATASET_CREATE), "cannot make", "storage");
                 H5Pset_external(storage.id(), "other.h5", 0, size * sizeof(double));
-                const Hdf5Handle dataset =
-                    check_id(H5Dcreate2(channels.id(), "slider.x", H5T_IEEE_F64LE, space.id(), H5P_DEFAULT,
-                                        storage.id(), H5P_DEFAULT),
-                             "cannot make", "dataset");
+                const Hdf5Handle dataset = check_id(H5Dcreate2(channels.id(), "slider.x", H5T_IEEE_F64LE, space.id(),
+                                                               H5P_DEFAULT, storage.id(), H5P_DEFAULT),
+                                                    "cannot make", "dataset");
                 write_text_attribute(dataset, "symbol", "x");
                 write_text_attribute(dataset, "description", "of another file");
               }),
@@ -229,10 +229,12 @@ TEST(Damage, ImpossibleValuesAreRefusedByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.cycles = -1; }), HasSubstr("'cycles' is -1"));
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.end_time = nan; }), HasSubstr("'end_time' is nan"));
-  EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.time[7] = nan; }), HasSubstr("'time' of sample 7 is nan"));
+  EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.time[7] = nan; }),
+              HasSubstr("'time' of sample 7 is nan"));
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.time[7] = -3.0; }),
               HasSubstr("'time' of sample 7 is -3, which cannot follow 0.06"));
-  EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.ledger.friction = nan; }), HasSubstr("'friction' is nan"));
+  EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.ledger.friction = nan; }),
+              HasSubstr("'friction' is nan"));
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.solver.onsets = -2; }), HasSubstr("'onsets' is -2"));
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.wear[0].bearing_radius = 0.0; }),
               HasSubstr("'bearing_radius' is 0"));
@@ -244,9 +246,9 @@ TEST(Damage, ImpossibleValuesAreRefusedByName) {
               HasSubstr("an event names joint 4 of 1"));
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.events[1].duration = -1.0; }),
               HasSubstr("'duration' is -1"));
-  EXPECT_THAT(read_impossible([&](StageRecord& stage) { std::swap(stage.statistics[0].minimum,
-                                                                  stage.statistics[0].maximum); }),
-              HasSubstr("the minimum of channel 'slider.x_acceleration'"));
+  EXPECT_THAT(
+      read_impossible([&](StageRecord& stage) { std::swap(stage.statistics[0].minimum, stage.statistics[0].maximum); }),
+      HasSubstr("the minimum of channel 'slider.x_acceleration'"));
   EXPECT_THAT(read_changed([](const Hdf5Handle& root) {
                 const Hdf5Handle stage = open_group(open_group(root, "stages"), "wear_1");
                 remove_link(stage, "cycles");

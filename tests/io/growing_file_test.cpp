@@ -184,9 +184,8 @@ TEST(GrowingFile, SavedChangesAreTakenUpAgain) {
   GrowingFile file(path);
   EXPECT_FALSE(file.restore_changes(saved.substr(1)));
   ASSERT_TRUE(file.restore_changes(saved));
-  file.change([](const Hdf5Handle& root) {
-    extend_series(open_group(root, "stages"), "s", std::vector<double>(50, 4.0));
-  });
+  file.change(
+      [](const Hdf5Handle& root) { extend_series(open_group(root, "stages"), "s", std::vector<double>(50, 4.0)); });
   EXPECT_THAT(list_stages(path), testing::IsEmpty());
   file.commit();
   EXPECT_THAT(list_stages(path), testing::ElementsAre("s"));

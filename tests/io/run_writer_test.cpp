@@ -185,6 +185,102 @@ TEST(RunWriter, TakesOverNamedStages) {
   EXPECT_EQ(read_run(scratch / "x.h5").stages.size(), 3u);
 }
 
+/// The first n samples of a stage handed over in one block; what is left for its end.
+StageRecord append_first(RunWriter& writer, const StageRecord& stage, std::size_t n) {
+  StageRecord rest = stage;
+  std::vector<std::vector<double>> values;
+  const auto count = static_cast<std::ptrdiff_t>(n);
+  for (std::vector<double>& of : rest.values) {
+    values.emplace_back(of.begin(), of.begin() + count);
+    of.erase(of.begin(), of.begin() + count);
+  }
+  writer.append(SampleBlock{stage.name, stage.channels, std::span(rest.time).first(n), values});
+  rest.time.erase(rest.time.begin(), rest.time.begin() + count);
+  return rest;
+}
+
+TEST(RunWriter, GoesOnWithAStageThatAKillLeft) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  StageUnderWay under_way{run.stages[1].name, 100, {}};
+  StageRecord rest;
+  std::string left;
+  {
+    RunWriter writer(scratch / "x.h5", run, false);
+    writer.append(run.stages[0]);
+    rest = append_first(writer, run.stages[1], 100);
+    under_way.saved = writer.save_stage_under_way();
+    append_first(writer, rest, 50);
+    left = test::read_text_file(scratch / "x.h5");
+  }
+  const std::vector<std::string> kept{run.stages[0].name};
+  for (const bool is_killed_again : {true, false}) {
+    test::write_text_file(scratch / "x.h5", left);
+    RunWriter writer(scratch / "x.h5", run, true, kept, &under_way);
+    EXPECT_TRUE(writer.has_samples_under_way());
+    EXPECT_EQ(read_run(scratch / "x.h5").stages.size(), 1u);
+    if (is_killed_again) {
+      append_first(writer, rest, 7);
+      left = test::read_text_file(scratch / "x.h5");
+    } else {
+      writer.append(rest);
+    }
+  }
+  const RunRecord back = read_run(scratch / "x.h5");
+  EXPECT_EQ(back.stages.at(1).values, run.stages[1].values);
+  EXPECT_EQ(back.stages.at(1).time, run.stages[1].time);
+}
+
+TEST(RunWriter, GoesOnWithAStageThatWasStopped) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  StageUnderWay under_way{run.stages[1].name, 100, {}};
+  StageRecord rest;
+  {
+    RunWriter writer(scratch / "x.h5", run, false);
+    writer.append(run.stages[0]);
+    rest = append_first(writer, run.stages[1], 100);
+    under_way.saved = writer.save_stage_under_way();
+    StageRecord stopped = rest;
+    stopped.status = StageStatus::stopped;
+    stopped.time.resize(20);
+    for (auto& values : stopped.values) values.resize(20);
+    writer.append(stopped);
+  }
+  EXPECT_EQ(read_run(scratch / "x.h5").stages.at(1).time.size(), 120u);
+  const std::vector<std::string> kept{run.stages[0].name};
+  {
+    // Until it is ended anew, what was stopped stays in the file.
+    RunWriter writer(scratch / "x.h5", run, true, kept, &under_way);
+    EXPECT_TRUE(writer.has_samples_under_way());
+    EXPECT_EQ(read_run(scratch / "x.h5").stages.at(1).time.size(), 120u);
+  }
+  RunWriter writer(scratch / "x.h5", run, true, kept, &under_way);
+  writer.append(rest);
+  const RunRecord back = read_run(scratch / "x.h5");
+  ASSERT_EQ(back.stages.size(), 2u);
+  EXPECT_EQ(back.stages[1].values, run.stages[1].values);
+  EXPECT_EQ(back.stages[1].status, StageStatus::finished);
+}
+
+TEST(RunWriter, AStageUnderWayThatIsNotThereBeginsAnew) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  {
+    RunWriter writer(scratch / "x.h5", run, false);
+    for (const std::size_t k : {0u, 1u}) writer.append(run.stages[k]);
+  }
+  const std::vector<std::string> kept{run.stages[0].name};
+  // In the file as one piece, with fewer samples than that; another name; and none handed over.
+  for (const StageUnderWay& under_way : {StageUnderWay{"no_wear", 1000, "not saved"}, StageUnderWay{"wear_7", 10, ""},
+                                         StageUnderWay{"no_wear", 0, ""}}) {
+    RunWriter writer(scratch / "x.h5", run, true, kept, &under_way);
+    EXPECT_FALSE(writer.has_samples_under_way());
+    writer.append(run.stages[1]);
+    EXPECT_EQ(read_run(scratch / "x.h5").stages.at(1).values, run.stages[1].values);
+  }
+}
+
 /// In a process of its own whose files may not grow past the limit, as on a full disk.
 /// The exit code is 0 when the writer tells so, and when HDF5 is well afterwards.
 int append_with_little_room(const std::filesystem::path& file, const RunRecord& run, int room, std::size_t block) {
@@ -267,7 +363,8 @@ TEST(RunWriter, TellsWhenItsFileWasTakenAway) {
   const RunRecord run = make_run();
   RunWriter writer(scratch / "x.h5", run, false);
   std::filesystem::remove(scratch / "x.h5");
-  EXPECT_THAT(find_message<FileError>([&] { writer.append(run.stages[0]); }), HasSubstr("another program replaced or changed it"));
+  EXPECT_THAT(find_message<FileError>([&] { writer.append(run.stages[0]); }),
+              HasSubstr("another program replaced or changed it"));
 }
 
 TEST(RunWriter, TellsWhenAnotherRunReplacedItsFile) {

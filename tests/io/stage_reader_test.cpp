@@ -49,8 +49,7 @@ std::vector<Piece> list_pieces() {
       {"attribute 'case_name' is missing", text("case_name", "base")},
       {"dataset 'model_text' is missing", [](auto& root) { write_text(root, "model_text", ""); }},
       {"dataset 'explained' is missing", [](auto& root) { write_text(root, "explained", ""); }},
-      {"table 'overrides' is missing",
-       [](auto& root) { write_table(root, "overrides", kOverrideShape, nullptr, 0); }},
+      {"table 'overrides' is missing", [](auto& root) { write_table(root, "overrides", kOverrideShape, nullptr, 0); }},
       {"group 'stages' is missing", [](auto& root) { make_group(make_group(root, "stages"), "no_wear"); }},
       {"dataset 'status' is missing", [](auto& root) { write_text(open_stage(root), "status", "stopped"); }},
       {"dataset 'message' is missing", [](auto& root) { write_text(open_stage(root), "message", ""); }},
@@ -129,12 +128,12 @@ TEST(StageReader, NamesWhatIsMisshapen) {
   EXPECT_THAT(read_misshapen("attribute 'format_version' is missing",
                              [](auto& root) { write_count_attribute(root, "format_version", 7); }),
               HasSubstr("its format version is 7, this program reads 1 to 2"));
-  EXPECT_THAT(read_misshapen("dataset 'cycles' is missing",
-                             [](auto& root) { write_text(open_stage(root), "cycles", "3"); }),
-              HasSubstr("dataset 'cycles' has an unexpected type"));
-  EXPECT_THAT(read_misshapen("dataset 'status' is missing",
-                             [](auto& root) { write_text(open_stage(root), "status", "lost"); }),
-              HasSubstr("stage 'no_wear': status 'lost' is not known"));
+  EXPECT_THAT(
+      read_misshapen("dataset 'cycles' is missing", [](auto& root) { write_text(open_stage(root), "cycles", "3"); }),
+      HasSubstr("dataset 'cycles' has an unexpected type"));
+  EXPECT_THAT(
+      read_misshapen("dataset 'status' is missing", [](auto& root) { write_text(open_stage(root), "status", "lost"); }),
+      HasSubstr("stage 'no_wear': status 'lost' is not known"));
   EXPECT_THAT(read_misshapen("dataset 'model_text' is missing",
                              [](auto& root) { write_series(root, "model_text", std::array{1.0}); }),
               HasSubstr("dataset 'model_text' has an unexpected type"));

@@ -14,8 +14,8 @@ namespace gudgeon::test {
 class RunBytes {
  public:
   explicit RunBytes(const RunRecord& run) {
-    for (const std::string* text : {&run.model_file, &run.model_text, &run.case_name, &run.explained,
-                                    &run.program_version}) {
+    for (const std::string* text :
+         {&run.model_file, &run.model_text, &run.case_name, &run.explained, &run.program_version}) {
       add(*text);
     }
     for (const auto& [path, text] : run.overrides) {
@@ -47,8 +47,8 @@ class RunBytes {
     add(w.joint);
     add_numbers(w.bearing_radius, w.journal_radius, w.clearance, w.slot_length, w.width, w.archard_volume,
                 w.removed_volume, w.sliding_distance, w.contact_time, w.impulse);
-    for (const auto* depths : {&w.bearing_depth, &w.journal_depth, &w.bearing_depth_added, &w.journal_depth_added,
-                               &w.total_depth_added}) {
+    for (const auto* depths :
+         {&w.bearing_depth, &w.journal_depth, &w.bearing_depth_added, &w.journal_depth_added, &w.total_depth_added}) {
       add(*depths);
     }
   }

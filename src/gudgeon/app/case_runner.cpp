@@ -20,6 +20,7 @@
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/explain.h"
 #include "gudgeon/io/run_reader.h"
+#include "gudgeon/io/run_verifier.h"
 #include "gudgeon/io/run_writer.h"
 #include "gudgeon/sim/case_turns.h"
 #include "gudgeon/sim/run_study.h"
@@ -67,6 +68,7 @@ std::vector<StageRecord> read_finished_stages(const CaseRun& one, const RunRecor
                     "--overwrite runs the case anew",
                     one.file.string()));
   }
+  require_sound(one.file);
   std::erase_if(earlier.stages, [](const StageRecord& stage) { return stage.status != StageStatus::finished; });
   return std::move(earlier.stages);
 }

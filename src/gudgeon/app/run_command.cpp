@@ -5,6 +5,7 @@
 #include "gudgeon/app/run_command.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -20,6 +21,7 @@
 #include "gudgeon/app/report_command.h"
 #include "gudgeon/app/text_output.h"
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/io/run_lock.h"
 #include "gudgeon/io/safe_file.h"
 #include "gudgeon/system/assembly.h"
 #include "gudgeon/system/start_check.h"
@@ -109,8 +111,19 @@ void require_all_sound(const std::vector<CaseRun>& cases) {
   if (!texts.empty()) throw RejectedModel(fmt::format("{}", fmt::join(texts, "\n")));
 }
 
+using RunLocks = std::vector<std::unique_ptr<RunLock>>;
+
+/// No other run writes the files of these cases while the locks live.
+RunLocks lock_outputs(const std::vector<CaseRun>& cases) {
+  std::map<std::filesystem::path, std::vector<std::filesystem::path>> directories;
+  for (const CaseRun& one : cases) directories[one.file.parent_path()].push_back(one.file);
+  RunLocks locks;
+  for (const auto& [directory, files] : directories) locks.push_back(std::make_unique<RunLock>(directory, files));
+  return locks;
+}
+
 /// Throws FileError when any output cannot be written, before anything is computed.
-void prepare_outputs(const std::vector<CaseRun>& cases, Existing existing) {
+RunLocks prepare_outputs(const std::vector<CaseRun>& cases, Existing existing) {
   std::error_code failure;
   for (const CaseRun& one : cases) {
     const std::filesystem::path directory = one.file.parent_path();
@@ -118,6 +131,7 @@ void prepare_outputs(const std::vector<CaseRun>& cases, Existing existing) {
     if (failure)
       throw FileError(fmt::format("directory '{}' cannot be made: {}", directory.string(), failure.message()));
   }
+  RunLocks locks = lock_outputs(cases);
   std::vector<std::string> troubles;
   for (const CaseRun& one : cases) {
     try {
@@ -132,9 +146,10 @@ void prepare_outputs(const std::vector<CaseRun>& cases, Existing existing) {
         existing == Existing::refuse ? "\n  --overwrite replaces run files, --resume goes on with them" : ""));
   }
   // A file that comes and goes proves that the run files can be written.
-  const std::filesystem::path probe = find_partial(cases.front().file);
+  const std::filesystem::path probe = cases.front().file.parent_path() / fmt::format(".gudgeon.probe.{}", ::getpid());
   write_whole(probe, std::string_view{});
   std::filesystem::remove(probe, failure);
+  return locks;
 }
 
 void print_warnings(const CaseRun& one) {
@@ -171,7 +186,7 @@ ExitCode run_run(const RunOptions& options) {
   std::vector<CaseRun> cases = read_cases(options);
   require_all_sound(cases);
   place_outputs(cases, options);
-  prepare_outputs(cases, existing);
+  const RunLocks locks = prepare_outputs(cases, existing);
   if (options.report) check_target(find_report_file(cases.front().file.parent_path()), existing != Existing::refuse);
   if (!options.quiet) print_warnings(cases.front());
   // A closed pipe must not end a long computation; what it loses is only text.

@@ -26,7 +26,8 @@ namespace gudgeon {
 namespace {
 
 constexpr std::string_view kTakenAway =
-    "another program replaced or changed it while the run went on; what this run finished since is not in it: run again "
+    "another program replaced or changed it while the run went on; what this run finished since is not in it: run "
+    "again "
     "where nothing else writes";
 
 /// Stands for the first page as committed, among saved changes: no file has so many.
@@ -155,7 +156,8 @@ void GrowingFile::note_committed(std::uint64_t end) {
 
 Hdf5Target::Page GrowingFile::read_committed_page() const {
   Hdf5Target::Page page = read_page(target_.descriptor, 0);
-  if (committed_end_ < page.size()) std::fill(page.begin() + static_cast<std::ptrdiff_t>(committed_end_), page.end(), std::byte{0});
+  if (committed_end_ < page.size())
+    std::fill(page.begin() + static_cast<std::ptrdiff_t>(committed_end_), page.end(), std::byte{0});
   return page;
 }
 

@@ -38,8 +38,8 @@ class GrowingFile {
   /// Undoes everything since the last commit.
   void roll_back();
 
-  /// What restore() needs to have the changes since the last commit again, in another process, whatever is changed after
-  /// this. The bytes added are on the disk when it returns; FileError when they are not.
+  /// What restore() needs to have the changes since the last commit again, in another process, whatever is changed
+  /// after this. The bytes added are on the disk when it returns; FileError when they are not.
   std::string save_changes();
   /// Takes the changes up again; false when the bytes are not of this state of the file, which is then as it was.
   bool restore_changes(std::string_view saved);

@@ -270,8 +270,7 @@ Hdf5Handle open_dataset(const Hdf5Handle& parent, const std::string& name) {
   require_link(parent, name, "dataset");
   Hdf5Handle dataset = check_id(H5Dopen2(parent.id(), name.c_str(), H5P_DEFAULT), "cannot open dataset", name);
   const Hdf5Handle creation = check_id(H5Dget_create_plist(dataset.id()), "cannot look at dataset", name);
-  const bool is_own =
-      H5Pget_layout(creation.id()) != H5D_VIRTUAL && H5Pget_external_count(creation.id()) == 0;
+  const bool is_own = H5Pget_layout(creation.id()) != H5D_VIRTUAL && H5Pget_external_count(creation.id()) == 0;
   if (!is_own) throw FileError(fmt::format("dataset '{}' keeps its values in another file", name));
   return dataset;
 }

@@ -3,8 +3,9 @@
 //
 // Datasets of a run file: single values, texts, series and columns. Under an Hdf5Session.
 //
-// Everything has a checksum: short ones lie in their object's header, which has one; others in chunks with one each. What
-// is read is checked first for type, size and place: a foreign or damaged file gives a FileError that names the dataset.
+// Everything has a checksum: short ones lie in their object's header, which has one; others in chunks with one each.
+// What is read is checked first for type, size and place: a foreign or damaged file gives a FileError that names the
+// dataset.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +35,8 @@ std::string read_text(const Hdf5Handle& parent, const std::string& name);
 /// 1-D datasets; returned open for their attributes.
 Hdf5Handle write_series(const Hdf5Handle& parent, const std::string& name, std::span<const double> values);
 Hdf5Handle write_indices(const Hdf5Handle& parent, const std::string& name, std::span<const std::int32_t> values);
-/// Texts as one, a line each: some tools stumble over arrays of texts of fixed length. Within a line "\\" and "\n" stand
-/// for a backslash and the end of a line.
+/// Texts as one, a line each: some tools stumble over arrays of texts of fixed length. Within a line "\\" and "\n"
+/// stand for a backslash and the end of a line.
 Hdf5Handle write_lines(const Hdf5Handle& parent, const std::string& name, std::span<const std::string> texts);
 std::vector<double> read_series(const Hdf5Handle& parent, const std::string& name);
 std::vector<std::int32_t> read_indices(const Hdf5Handle& parent, const std::string& name);

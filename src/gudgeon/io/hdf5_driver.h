@@ -21,9 +21,9 @@ struct Hdf5Target {
   static constexpr std::size_t kPageSize = 4096;
   using Page = std::array<std::byte, kPageSize>;
 
-  int descriptor = -1;              ///< open for reading and writing; for reading alone where all is protected
-  std::uint64_t protected_end = 0;  ///< [bytes]
-  std::uint64_t end = 0;            ///< [bytes] of what HDF5 has in it, once it is closed
+  int descriptor = -1;                    ///< open for reading and writing; for reading alone where all is protected
+  std::uint64_t protected_end = 0;        ///< [bytes]
+  std::uint64_t end = 0;                  ///< [bytes] of what HDF5 has in it, once it is closed
   std::map<std::uint64_t, Page> pages{};  ///< changed ones, by number
   int failure = 0;                        ///< errno of the first write that failed; 0 when none did
 };

@@ -36,8 +36,8 @@ void remove_link(const Hdf5Handle& parent, const std::string& name);
 void require_link(const Hdf5Handle& parent, const std::string& name, std::string_view what);
 [[nodiscard]] bool is_group(const Hdf5Handle& parent, const std::string& name);
 [[nodiscard]] bool has_attribute(const Hdf5Handle& node, const std::string& name);
-/// Names of everything in a group, in the order it was made where the group keeps that. Links to members of other groups
-/// are left out; FileError when anything in it leads out of the file.
+/// Names of everything in a group, in the order it was made where the group keeps that. Links to members of other
+/// groups are left out; FileError when anything in it leads out of the file.
 std::vector<std::string> find_members(const Hdf5Handle& group);
 /// The same, in files of format 1 sorted by each child's attribute 'order'.
 std::vector<std::string> find_children(const Hdf5Handle& group);

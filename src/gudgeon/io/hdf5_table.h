@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tables: groups of columns of the same length, from and to rows of a plain struct that a table of its fields describes.
-// Under an Hdf5Session.
+// Tables: groups of columns of the same length, from and to rows of a plain struct that a table of its fields
+// describes. Under an Hdf5Session.
 #pragma once
 
 #include <cstddef>

@@ -1,39 +1,30 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Journals as bytes: a mark, the end, the pages, a checksum; whole numbers as this machine has them.
+// Journals as sealed bytes.
 #include "gudgeon/io/page_journal.h"
 
-#include <boost/crc.hpp>
-#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <vector>
+
+#include "gudgeon/base/diagnostics.h"
+#include "gudgeon/base/state_archive.h"
 
 namespace gudgeon {
 
 namespace {
 
-constexpr std::string_view kMark = "gudgeon journal 1";
+struct Entry {
+  std::uint64_t number;
+  Hdf5Target::Page page;
+};
 
-template <class Number>
-void add_number(std::string& bytes, Number number) {
-  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
-
-/// Takes a number off the front; 0 when too few bytes are left.
-template <class Number>
-Number take_number(std::string_view& bytes) {
-  Number number{};
-  if (bytes.size() < sizeof number) return number;
-  std::memcpy(&number, bytes.data(), sizeof number);
-  bytes.remove_prefix(sizeof number);
-  return number;
-}
-
-std::uint32_t find_checksum(std::string_view bytes) {
-  boost::crc_32_type sum;
-  sum.process_bytes(bytes.data(), bytes.size());
-  return sum.checksum();
+/// Saves or loads.
+void transfer(StateArchive& archive, std::uint64_t& end, std::vector<Entry>& entries) {
+  archive.require_text("pages of a run file");
+  archive(end);
+  archive.list(entries);
 }
 
 }  // namespace
@@ -45,33 +36,26 @@ std::filesystem::path find_journal(const std::filesystem::path& file) {
 }
 
 std::string pack(const PageJournal& journal) {
-  std::string bytes(kMark);
-  add_number(bytes, journal.end);
-  add_number(bytes, static_cast<std::uint64_t>(journal.pages.size()));
-  for (const auto& [number, page] : journal.pages) {
-    add_number(bytes, number);
-    bytes.append(reinterpret_cast<const char*>(page.data()), page.size());
-  }
-  add_number(bytes, find_checksum(bytes));
-  return bytes;
+  std::vector<Entry> entries;
+  entries.reserve(journal.pages.size());
+  for (const auto& [number, page] : journal.pages) entries.push_back({number, page});
+  std::uint64_t end = journal.end;
+  StateArchive archive;
+  transfer(archive, end, entries);
+  return archive.seal();
 }
 
 std::optional<PageJournal> unpack_journal(std::string_view bytes) {
-  constexpr std::size_t kEntrySize = sizeof(std::uint64_t) + Hdf5Target::kPageSize;
-  if (!bytes.starts_with(kMark) || bytes.size() < kMark.size() + sizeof(std::uint32_t)) return std::nullopt;
-  std::string_view sum = bytes.substr(bytes.size() - sizeof(std::uint32_t));
-  bytes.remove_suffix(sum.size());
-  if (take_number<std::uint32_t>(sum) != find_checksum(bytes)) return std::nullopt;
-  bytes.remove_prefix(kMark.size());
   PageJournal journal;
-  journal.end = take_number<std::uint64_t>(bytes);
-  const auto n_pages = take_number<std::uint64_t>(bytes);
-  if (bytes.size() % kEntrySize != 0 || bytes.size() / kEntrySize != n_pages) return std::nullopt;
-  while (!bytes.empty()) {
-    Hdf5Target::Page& page = journal.pages[take_number<std::uint64_t>(bytes)];
-    std::memcpy(page.data(), bytes.data(), page.size());
-    bytes.remove_prefix(page.size());
+  std::vector<Entry> entries;
+  try {
+    StateArchive archive(bytes);
+    transfer(archive, journal.end, entries);
+    archive.expect_end();
+  } catch (const FileError&) {
+    return std::nullopt;
   }
+  for (const Entry& entry : entries) journal.pages.emplace(entry.number, entry.page);
   return journal;
 }
 

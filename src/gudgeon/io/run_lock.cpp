@@ -56,9 +56,8 @@ RunLock::RunLock(std::filesystem::path directory, std::span<const std::filesyste
     for (const std::filesystem::path& file : files) {
       if (!is_taken(lock_range(descriptor_, find_place(file.filename().string()), 1))) continue;
       ::close(descriptor_);
-      throw FileError(
-          fmt::format("{}: another run is writing it; wait for its end or give another directory with -o",
-                      file.string()));
+      throw FileError(fmt::format("{}: another run is writing it; wait for its end or give another directory with -o",
+                                  file.string()));
     }
   } while (!is_same_file(descriptor_, path_));
 }

@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "gudgeon/base/diagnostics.h"
-#include "gudgeon/io/hdf5_file.h"
 #include "gudgeon/io/hdf5_dataset.h"
+#include "gudgeon/io/hdf5_file.h"
 #include "gudgeon/io/hdf5_node.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/run_tables.h"

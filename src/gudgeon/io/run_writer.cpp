@@ -54,6 +54,17 @@ void write_failure(const Hdf5Handle& root, const StageRecord& stage) {
   make_soft_link(failure, "stage", "/stages/" + stage.name);
 }
 
+/// Leaves of a stage that was ended nothing but its first samples.
+void reopen_stage(const Hdf5Handle& stages, const StageUnderWay& under_way) {
+  const Hdf5Handle stage = open_group(stages, under_way.stage);
+  const std::string kept = "channels";
+  for (const std::string& name : find_members(stage)) {
+    if (name != kept) remove_link(stage, name);
+  }
+  const Hdf5Handle channels = open_group(stage, kept);
+  for (const std::string& name : find_members(channels)) cut_series(channels, name, under_way.n_samples);
+}
+
 void make_file(const std::filesystem::path& file, const RunRecord& header) {
   PartialFile partial(file);
   {
@@ -88,23 +99,42 @@ bool is_of_this_format(const std::filesystem::path& file) {
 }  // namespace
 
 RunWriter::RunWriter(std::filesystem::path file, const RunRecord& header, bool overwrite,
-                     std::span<const std::string> kept)
+                     std::span<const std::string> kept, const StageUnderWay* under_way)
     : file_(std::move(file)) {
   check_target(file_, overwrite);
-  if (kept.empty()) {
+  if (kept.empty() && under_way == nullptr) {
     make_file(file_, header);
     open();
   } else if (is_of_this_format(file_)) {
     open();
-    keep(kept);
+    go_on(kept, under_way);
   } else {
     renew(header, kept);
   }
 }
 
-RunWriter::~RunWriter() {
+void RunWriter::go_on(std::span<const std::string> stages, const StageUnderWay* under_way) {
+  has_samples_under_way_ = under_way != nullptr && under_way->n_samples > 0 && take_up(*under_way);
+  if (!has_samples_under_way_) keep(stages);
+}
+
+// After a kill they lie behind the file's end. A stage that was stopped is in the file with all that had come by then.
+bool RunWriter::take_up(const StageUnderWay& under_way) {
   const Hdf5Session session;
-  growing_.reset();
+  if (growing_->restore_changes(under_way.saved)) return true;
+  try {
+    const Hdf5Source source(file_);
+    if (!has_link(open_group(source.root(), "stages"), under_way.stage)) return false;
+    growing_->change([&](const Hdf5Handle& root) { reopen_stage(open_group(root, "stages"), under_way); });
+    return true;
+  } catch (const FileError&) {
+    return false;  // it has other samples: the stage begins anew
+  }
+}
+
+std::string RunWriter::save_stage_under_way() {
+  const Hdf5Session session;
+  return growing_->save_changes();
 }
 
 void RunWriter::open() {

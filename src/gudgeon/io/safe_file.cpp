@@ -131,9 +131,10 @@ void PartialFile::put_in_place() {
   if (::fsync(descriptor_) != 0 && errno != EINVAL) fail_write(errno);  // EINVAL: a place that knows no fsync
   if (!is_same_file(descriptor_, path_)) {
     ::close(std::exchange(descriptor_, -1));
-    throw FileError(fmt::format("{}: another program took {} away while it was written; run again where nothing else "
-                                "writes",
-                                file_.string(), path_.filename().string()));
+    throw FileError(
+        fmt::format("{}: another program took {} away while it was written; run again where nothing else "
+                    "writes",
+                    file_.string(), path_.filename().string()));
   }
   const bool is_there = ::rename(path_.c_str(), file_.c_str()) == 0;
   const int why = errno;

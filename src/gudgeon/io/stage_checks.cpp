@@ -50,11 +50,10 @@ void check_sizes(const JointWear& wear) {
                                     {"contact_time", wear.contact_time}}) {
     if (!(value >= 0.0 && std::isfinite(value))) refuse(name, value);
   }
-  for (const auto& [name, value] :
-       {std::pair<std::string_view, double>{"clearance", wear.clearance},
-        {"archard_volume", wear.archard_volume},
-        {"removed_volume", wear.removed_volume},
-        {"impulse", wear.impulse}}) {
+  for (const auto& [name, value] : {std::pair<std::string_view, double>{"clearance", wear.clearance},
+                                    {"archard_volume", wear.archard_volume},
+                                    {"removed_volume", wear.removed_volume},
+                                    {"impulse", wear.impulse}}) {
     if (!std::isfinite(value)) refuse(name, value);
   }
 }
@@ -69,10 +68,9 @@ void check_depths(const JointWear& wear) {
   const auto fits = [](const std::vector<double>& added, const std::vector<double>& depths) {
     return added.empty() || added.size() == depths.size();
   };
-  const bool is_whole = fits(wear.bearing_depth_added, wear.bearing_depth) &&
-                        fits(wear.journal_depth_added, wear.journal_depth) &&
-                        fits(wear.total_depth_added, wear.bearing_depth) &&
-                        wear.bearing_depth.size() % wear.n_bearing_surfaces() == 0;
+  const bool is_whole =
+      fits(wear.bearing_depth_added, wear.bearing_depth) && fits(wear.journal_depth_added, wear.journal_depth) &&
+      fits(wear.total_depth_added, wear.bearing_depth) && wear.bearing_depth.size() % wear.n_bearing_surfaces() == 0;
   if (!is_whole) throw FileError(fmt::format("the depths of joint '{}' are not as many as its regions", wear.joint));
 }
 
@@ -99,8 +97,8 @@ void check_stage(const StageRecord& stage) {
   for (const ContactEvent& event : stage.events) check_event(event, stage);
   for (const ChannelStatistics& s : stage.statistics) {
     if (s.minimum > s.maximum) {
-      throw FileError(fmt::format("the minimum of channel '{}', {}, is above its maximum, {}", s.channel, s.minimum,
-                                  s.maximum));
+      throw FileError(
+          fmt::format("the minimum of channel '{}', {}, is above its maximum, {}", s.channel, s.minimum, s.maximum));
     }
   }
 }
@@ -108,8 +106,8 @@ void check_stage(const StageRecord& stage) {
 void check_times(std::span<const double> times) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || (i > 0 && times[i] < times[i - 1])) {
-      throw FileError(fmt::format("'time' of sample {} is {}, which cannot follow {}", i, times[i],
-                                  i == 0 ? 0.0 : times[i - 1]));
+      throw FileError(
+          fmt::format("'time' of sample {} is {}, which cannot follow {}", i, times[i], i == 0 ? 0.0 : times[i - 1]));
     }
   }
 }

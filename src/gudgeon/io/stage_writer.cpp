@@ -47,8 +47,8 @@ void make_channels(const Hdf5Handle& node, const SampleBlock& block, Make make) 
   check_size(block);
   std::size_t longest = kTimeName.size();
   for (const Channel& channel : block.channels) longest = std::max(longest, channel.name.size());
-  const Hdf5Handle group = make_group(node, "channels", static_cast<unsigned>(block.channels.size() + 1),
-                                      static_cast<unsigned>(longest));
+  const Hdf5Handle group =
+      make_group(node, "channels", static_cast<unsigned>(block.channels.size() + 1), static_cast<unsigned>(longest));
   {
     const Hdf5Handle time = make(group, std::string(kTimeName), block.time);
     write_unit(time, "s");
