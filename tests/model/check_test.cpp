@@ -196,8 +196,30 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"E-STUDY-009", "study.cycle_time", "one turn", [](Model& m) { m.study.cycle_time = 1.0; }},
         Broken{"W-STUDY-001", "study.wear_stages", "no contact of a joint wears",
                [](Model& m) { m.pin().contact.bearing_wear = m.pin().contact.journal_wear = NoWear{}; }},
+        Broken{"W-STUDY-010", "study.outputs_per_cycle", "GB of the run file a stage",
+               [](Model& m) { m.study.outputs_per_cycle = 1000000; }},
+        Broken{"W-STUDY-010", "study.wear_stages", "GB of the run file", [](Model& m) { m.study.wear_stages = 100000; }},
+        Broken{"W-STUDY-011", "study.wear_stages", "days", [](Model& m) { m.study.wear_stages = 1000000000; }},
+        Broken{"W-STUDY-011", "study.warm_up_cycles", "days", [](Model& m) { m.study.warm_up_cycles = 1000000000; }},
+        Broken{"W-STUDY-011", "study.cycles", "days", [](Model& m) { m.study.cycles = 1000000000; }},
+        Broken{"W-STUDY-011", "study.outputs_per_cycle", "days",
+               [](Model& m) { m.study.cycles = 100, m.study.outputs_per_cycle = 1000000000; }},
         Broken{"R-STUDY-002", "study.deposition", "conserve",
                [](Model& m) { m.study.deposition = Deposition::point; }}));
+
+TEST(Check, CountsWhatALargeStudyAsksFor) {
+  Model model = make_good();
+  model.study.cycles = 20;
+  model.study.warm_up_cycles = 30;
+  model.study.wear_stages = 1000000;
+  const Diagnostics found = check(model.mechanism, model.study);
+  // 1 000 002 stages of 50 cycles at 1 ms, and 20 * 500 samples of each at 1 µs: 60 000 s.
+  EXPECT_EQ(render(found, {}).find("W-STUDY-011"), std::string::npos) << render(found, {});
+  model.study.warm_up_cycles = 80;
+  EXPECT_NE(render(check(model.mechanism, model.study), {})
+                .find("1000002 stages of 100 cycles, 80 of them to warm up, are 1e+08 cycles and 1e+10 samples"),
+            std::string::npos);
+}
 
 /// A load on the good model's bodies, under the name "x".
 TEST(Check, AcceptsWhatIsRight) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "gudgeon/model/check_rules.h"
 #include "gudgeon/model/cycle_time.h"
@@ -117,20 +118,75 @@ void check_wear(CheckRules& rules) {
   }
 }
 
-// A stage's samples go to the disk as they come, and with each later stage once more.
-void check_room(CheckRules& rules) {
-  constexpr double kMuchRoom = 4e9;  // [B] of samples, before compression: more than most programs can load at once
-  const Mechanism& mechanism = rules.mechanism;
+/// What a study asks for in all, in numbers that may be far beyond an int.
+struct StudySize {
+  double n_stages = 0.0;
+  double n_cycles = 0.0;   // of all stages, warm-up included
+  double n_samples = 0.0;  // of one stage
+  double room = 0.0;       // [B] of all stages in the run file, before compression
+  double stage_room = 0.0;
+};
+
+StudySize find_size(const Mechanism& mechanism, const Study& study) {
+  constexpr double kStageHead = 1e4;  // [B] channels, statistics and energies of the smallest stage
   // Nine channels a moving body, up to ten a joint; drivers and energies hardly count.
   const double n_channels =
       9.0 * static_cast<double>(mechanism.bodies.size()) + 10.0 * static_cast<double>(mechanism.joints.size());
-  const double n_samples = static_cast<double>(rules.study.cycles) * rules.study.outputs_per_cycle;
-  const double room = 8.0 * n_channels * n_samples;
-  if (room <= kMuchRoom) return;
-  rules.diagnostics.warning("W-STUDY-010", "study.outputs_per_cycle",
-                            fmt::format("study: {} cycles of {} samples take up to {:.0f} GB of the run file a stage",
-                                        rules.study.cycles, rules.study.outputs_per_cycle, 1e-9 * room),
-                            {"lower outputs_per_cycle or cycles; peaks are found at every step whatever is recorded"});
+  StudySize size;
+  size.n_stages = 1.0 + study.wear_stages + (study.compare_ideal ? 1.0 : 0.0);
+  size.n_cycles = size.n_stages * (static_cast<double>(study.warm_up_cycles) + study.cycles);
+  size.n_samples = static_cast<double>(study.cycles) * study.outputs_per_cycle;
+  size.stage_room = 8.0 * n_channels * size.n_samples;
+  size.room = size.n_stages * (size.stage_room + kStageHead);
+  return size;
+}
+
+/// The count that is largest beside its default: lowering that one helps most.
+const char* find_largest_count(const Study& study) {
+  const Study usual;
+  const std::array<std::pair<double, const char*>, 4> counts{
+      {{study.wear_stages / 10.0, "study.wear_stages"},
+       {static_cast<double>(study.warm_up_cycles) / usual.cycles, "study.warm_up_cycles"},
+       {static_cast<double>(study.cycles) / usual.cycles, "study.cycles"},
+       {static_cast<double>(study.outputs_per_cycle) / usual.outputs_per_cycle, "study.outputs_per_cycle"}}};
+  return std::ranges::max_element(counts, {}, &std::pair<double, const char*>::first)->second;
+}
+
+// A stage's samples go to the disk as they come.
+void check_room(CheckRules& rules, const StudySize& size) {
+  constexpr double kMuchRoom = 4e9;        // [B] more than most programs can load at once
+  constexpr double kMuchRoomInAll = 1e11;  // [B] more than a disk has to spare
+  const Study& study = rules.study;
+  if (size.stage_room > kMuchRoom) {
+    rules.diagnostics.warning(
+        "W-STUDY-010", "study.outputs_per_cycle",
+        fmt::format("study: {} cycles of {} samples take up to {:.0f} GB of the run file a stage, {:.0f} GB in all",
+                    study.cycles, study.outputs_per_cycle, 1e-9 * size.stage_room, 1e-9 * size.room),
+        {"lower outputs_per_cycle or cycles; peaks are found at every step whatever is recorded"});
+  } else if (size.room > kMuchRoomInAll) {
+    rules.diagnostics.warning("W-STUDY-010", find_largest_count(study),
+                              fmt::format("study: {:.0f} stages of {:.0f} samples take up to {:.0f} GB of the run file",
+                                          size.n_stages, size.n_samples, 1e-9 * size.room),
+                              {"lower wear_stages, raise magnification instead; or record less (outputs_per_cycle)"});
+  }
+}
+
+// Only told where it is days whatever the mechanism: hardly one takes less for a cycle, and many take a hundred times
+// it.
+void check_duration(CheckRules& rules, const StudySize& size) {
+  constexpr double kLeastCycle = 1e-3;   // [s] to compute a cycle
+  constexpr double kLeastSample = 1e-6;  // [s] to record a sample
+  constexpr double kDay = 86400.0;
+  const double days = (kLeastCycle * size.n_cycles + kLeastSample * size.n_stages * size.n_samples) / kDay;
+  if (days < 1.0) return;
+  rules.diagnostics.warning(
+      "W-STUDY-011", find_largest_count(rules.study),
+      fmt::format(
+          "study: {:.0f} stages of {} cycles, {} of them to warm up, are {:.3g} cycles and {:.3g} samples; at a "
+          "millisecond a cycle and a microsecond a sample, which few mechanisms stay below, that takes {:.3g} days",
+          size.n_stages, static_cast<long>(rules.study.cycles) + rules.study.warm_up_cycles, rules.study.warm_up_cycles,
+          size.n_cycles, size.n_stages * size.n_samples, days),
+      {"lower wear_stages, cycles, warm_up_cycles or outputs_per_cycle; magnification lets few cycles wear like many"});
 }
 
 void check_published(CheckRules& rules) {
@@ -156,7 +212,9 @@ void check_study(CheckRules& rules) {
   check_values(rules);
   check_cycle(rules);
   check_wear(rules);
-  check_room(rules);
+  const StudySize size = find_size(rules.mechanism, rules.study);
+  check_room(rules, size);
+  check_duration(rules, size);
   check_published(rules);
 }
 
