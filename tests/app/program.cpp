@@ -62,6 +62,12 @@ RunningProgram::RunningProgram(const TemporaryFolder& folder, const std::vector<
 
 void RunningProgram::send(int signal) const { ::kill(process_, signal); }
 
+double RunningProgram::find_peak_memory() const {
+  const std::string status = read_text("/proc/" + std::to_string(process_) + "/status");
+  const std::size_t at = status.find("VmHWM:");
+  return at == std::string::npos ? 0.0 : 1024.0 * std::stod(status.substr(at + 6));
+}
+
 Outcome RunningProgram::wait() {
   int status = 0;
   ::waitpid(process_, &status, 0);

@@ -41,6 +41,8 @@ class RunningProgram {
   RunningProgram(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
                  const std::filesystem::path& out = {}, const std::filesystem::path& err = {});
   void send(int signal) const;
+  /// [bytes] of memory that it has held at most.
+  [[nodiscard]] double find_peak_memory() const;
   /// Waits for its end.
   Outcome wait();
 

@@ -130,5 +130,31 @@ TEST(Overrides, MayNotNestDeepOrHoldControls) {
   EXPECT_EQ(controls.find('\x1b'), std::string::npos);
 }
 
+TEST(ModelDocument, MakesTheModelOfEachCase) {
+  const ModelDocument document("m.toml", kPendulumModel);
+  for (const std::string_view name : {"", "heavy", "broken", "lost", "light"}) {
+    const std::vector<Override> overrides{{"bodies.bar.inertia", "2"}};
+    const ModelFile one = document.read(name, overrides);
+    const ModelFile whole = read_with(name, overrides);
+    EXPECT_EQ(render_all(one), render_all(whole)) << name;
+    EXPECT_EQ(bar(one).mass, bar(whole).mass);
+    EXPECT_LE(one.cases.size(), 1U);
+  }
+  EXPECT_EQ(document.cases().size(), 3U);
+  EXPECT_EQ(document.find_name("", {}), "pendulum");
+  EXPECT_EQ(document.find_name("heavy", std::vector<Override>{{"name", "swing"}}), "swing");
+  EXPECT_EQ(ModelDocument("m.toml", "name = 3").find_name("", {}), "");
+  EXPECT_EQ(ModelDocument("m.toml", "name = ").find_name("", {}), "");
+}
+
+TEST(ModelDocument, TellsWhatIsWrongWithCasesInEveryOne) {
+  const ModelDocument document("m.toml", std::string(kPendulumModel) + "[cases.odd]\nsat = { a = 1 }\n");
+  for (const std::string_view name : {"", "heavy"}) {
+    EXPECT_NE(render_all(document.read(name, {})).find("m.toml:19:8: error E-FILE-002: case 'odd': set is missing"),
+              std::string::npos)
+        << render_all(document.read(name, {}));
+  }
+}
+
 }  // namespace
 }  // namespace gudgeon

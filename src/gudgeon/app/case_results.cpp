@@ -18,9 +18,9 @@
 namespace gudgeon {
 namespace {
 
-std::vector<PublishedRow> make_published(const Study& study) {
+std::vector<PublishedRow> make_published(const std::vector<PublishedValue>& published) {
   std::vector<PublishedRow> rows;
-  for (const PublishedValue& value : study.published) {
+  for (const PublishedValue& value : published) {
     rows.push_back({value.quantity, value.channel, value.measure, value.values, {}});
   }
   return rows;
@@ -49,7 +49,7 @@ bool is_kept(const CaseRun& one) {
 void print_summaries(const std::vector<CaseRun>& cases, bool quiet) {
   for (const CaseRun& one : cases) {
     if (quiet || !is_kept(one)) continue;
-    write_receipt(render_summary(read_for_summary(one.file), make_published(one.model.study), find_color_wanted()));
+    write_receipt(render_summary(read_for_summary(one.file), make_published(one.published), find_color_wanted()));
     write_receipt("\n");
   }
   for (const CaseRun& one : cases) {

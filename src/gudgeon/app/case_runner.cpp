@@ -30,13 +30,13 @@ namespace {
 
 constexpr std::chrono::milliseconds kRefreshInterval{100};  // often enough for an eye and for Ctrl-C
 
-RunRecord make_header(const CaseRun& one) {
+RunRecord make_header(const std::string& case_name, const ModelFile& model) {
   RunRecord header;
-  header.model_file = one.model.source.file;
-  header.model_text = one.model.source.text;
-  header.case_name = one.name;
-  for (const Override& change : one.model.overrides) header.overrides.emplace_back(change.path, change.value);
-  header.explained = explain(one.model.mechanism, one.model.study);
+  header.model_file = model.source.file;
+  header.model_text = model.source.text;
+  header.case_name = case_name;
+  for (const Override& change : model.overrides) header.overrides.emplace_back(change.path, change.value);
+  header.explained = explain(model.mechanism, model.study);
   header.program_version = GUDGEON_VERSION;
   return header;
 }
@@ -73,9 +73,9 @@ std::vector<StageRecord> read_finished_stages(const CaseRun& one, const RunRecor
   return std::move(earlier.stages);
 }
 
-void run_stages(CaseRun& one, int index, Existing existing, const std::stop_token& stop, ProgressDisplay& display,
-                CaseTurns& turns) {
-  const RunRecord header = make_header(one);
+void run_stages(CaseRun& one, const ModelFile& model, int index, Existing existing, const std::stop_token& stop,
+                ProgressDisplay& display, CaseTurns& turns) {
+  const RunRecord header = make_header(one.name, model);
   std::vector<StageRecord> finished;
   if (existing == Existing::resume) finished = read_finished_stages(one, header);
   std::vector<std::string> kept;
@@ -97,7 +97,7 @@ void run_stages(CaseRun& one, int index, Existing existing, const std::stop_toke
     writer.append(stage);
     update_outcome(one, stage);
   };
-  run_study(one.model.mechanism, one.model.study, hooks, std::move(finished));
+  run_study(model.mechanism, model.study, hooks, std::move(finished));
 }
 
 /// How a case ended, in a word or two for the progress display.
@@ -108,14 +108,19 @@ std::string_view name_outcome(ExitCode code) {
 }
 
 /// Every failure of a case ends here: an exception may not leave its thread.
-void run_case(CaseRun& one, int index, Existing existing, const std::stop_token& stop, ProgressDisplay& display,
-              CaseTurns& turns) {
+void run_case(CaseRun& one, const ReadCase& read_case, int index, Existing existing, const std::stop_token& stop,
+              ProgressDisplay& display, CaseTurns& turns) {
   display.begin(index);
+  SourceMap source;
   try {
-    run_stages(one, index, existing, stop, display, turns);
+    const ModelFile model = read_case(one.name);
+    source = model.source;
+    if (model.diagnostics.has_errors()) throw ModelError(model.diagnostics);
+    one.published = model.study.published;
+    run_stages(one, model, index, existing, stop, display, turns);
   } catch (const ModelError& error) {
     one.code = ExitCode::model;
-    one.message = render(error.diagnostics(), one.model.source);
+    one.message = render(error.diagnostics(), source);
   } catch (const FileError& error) {
     one.code = ExitCode::file;
     one.message = error.what();
@@ -148,7 +153,8 @@ std::string add_threads(std::vector<std::jthread>& threads, int count, const std
 
 }  // namespace
 
-int run_cases(std::vector<CaseRun>& cases, int n_threads, Existing existing, ProgressDisplay& display) {
+int run_cases(std::vector<CaseRun>& cases, const ReadCase& read_case, int n_threads, Existing existing,
+              ProgressDisplay& display) {
   const Interruption interruption;
   std::stop_source stop;
   std::atomic<int> next = 0;
@@ -162,7 +168,7 @@ int run_cases(std::vector<CaseRun>& cases, int n_threads, Existing existing, Pro
         cases[i].code = ExitCode::interrupted;
         cases[i].message = "not started";
       } else {
-        run_case(cases[i], i, existing, stop.get_token(), display, turns);
+        run_case(cases[i], read_case, i, existing, stop.get_token(), display, turns);
       }
       turns.end(i);
       n_done.fetch_add(1);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -17,8 +18,8 @@ namespace gudgeon {
 
 struct CaseRun {
   std::string name;
-  ModelFile model;
   std::filesystem::path file;
+  std::vector<PublishedValue> published;  ///< known once it has run
   ExitCode code = ExitCode::done;
   bool is_written = false;  ///< the file holds this run
   std::string message;      ///< why it is not done, or what is wrong with it; empty when it is all right
@@ -31,8 +32,12 @@ enum class Existing {
   resume,   ///< the case goes on after the last stage that its file holds as finished
 };
 
+/// Makes the model of a case, "base" or one of the file's; called from several threads. Its errors end that case alone.
+using ReadCase = std::function<ModelFile(const std::string& name)>;
+
 /// Runs all cases on that many threads. A case that fails leaves the others alone. Results do not depend on the
 /// number of threads. A first SIGINT or SIGTERM stops every case at its next step; returns that signal, or 0.
-int run_cases(std::vector<CaseRun>& cases, int n_threads, Existing existing, ProgressDisplay& display);
+int run_cases(std::vector<CaseRun>& cases, const ReadCase& read_case, int n_threads, Existing existing,
+              ProgressDisplay& display);
 
 }  // namespace gudgeon

@@ -37,10 +37,14 @@ void add_case_option(CLI::App& command, std::string& case_name) {
       ->type_name("NAME");
 }
 
-ModelFile read_case(const ModelOptions& options, std::string_view case_name) {
+std::vector<Override> make_overrides(const ModelOptions& options) {
   std::vector<Override> overrides;
   for (const std::string& setting : options.settings) overrides.push_back(make_override(setting));
-  return read_model(options.file, case_name == kBaseCase ? std::string_view{} : case_name, overrides);
+  return overrides;
+}
+
+ModelFile read_case(const ModelOptions& options, std::string_view case_name) {
+  return read_model(options.file, case_name == kBaseCase ? std::string_view{} : case_name, make_overrides(options));
 }
 
 void require_sound(const ModelFile& model) {

@@ -34,6 +34,8 @@ void add_model_options(CLI::App& command, ModelOptions& options);
 /// --case for the commands that take one.
 void add_case_option(CLI::App& command, std::string& case_name);
 
+/// What --set asks for; UsageError when one has no value.
+std::vector<Override> make_overrides(const ModelOptions& options);
 /// Reads the model in one case ("" and "base": none), whatever is wrong with it.
 ModelFile read_case(const ModelOptions& options, std::string_view case_name);
 /// Throws RejectedModel when the model has errors.

@@ -83,6 +83,11 @@ void ProgressDisplay::finish(int index, std::string_view outcome) {
   one.outcome = fmt::format("{}: {} after {}\n", one.name, outcome, render_duration(find_seconds(one.start)));
 }
 
+void ProgressDisplay::add_message(std::string text) {
+  const std::lock_guard lock(mutex_);
+  messages_ += show_controls(text);
+}
+
 void ProgressDisplay::refresh() {
   if (style_ == ProgressStyle::silent) return;
   std::string text;
@@ -105,6 +110,8 @@ void ProgressDisplay::write_note(std::string_view text) {
 }
 
 void ProgressDisplay::write_outcomes(std::string& text) {
+  text += messages_;
+  messages_.clear();
   for (CaseProgress& one : cases_) {
     text += one.outcome;
     one.outcome.clear();

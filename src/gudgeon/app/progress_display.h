@@ -28,6 +28,9 @@ class ProgressDisplay {
   void update(int index, const Progress& progress);
   void finish(int index, std::string_view outcome);
 
+  /// A message that waits to be shown among the outcomes; from any thread.
+  void add_message(std::string text);
+
   // From the thread that owns the terminal.
   void refresh();
   /// A message of its own, above the bars.
@@ -58,6 +61,7 @@ class ProgressDisplay {
   ProgressStyle style_;
   std::mutex mutex_;
   std::vector<CaseProgress> cases_;
+  std::string messages_;
   int n_lines_ = 0;  ///< bars on the terminal below which the cursor stands
 };
 

@@ -12,8 +12,10 @@
 #include <csignal>
 #include <map>
 #include <memory>
+#include <set>
 #include <thread>
 
+#include "gudgeon/app/case_check.h"
 #include "gudgeon/app/case_results.h"
 #include "gudgeon/app/case_runner.h"
 #include "gudgeon/app/command_line.h"
@@ -23,8 +25,6 @@
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/run_lock.h"
 #include "gudgeon/io/safe_file.h"
-#include "gudgeon/system/assembly.h"
-#include "gudgeon/system/start_check.h"
 
 namespace gudgeon {
 namespace {
@@ -41,19 +41,26 @@ struct RunOptions {
   bool report = false;
 };
 
-/// A case's name as a file's: whatever could mean something to a shell or a file system becomes '_'.
-std::filesystem::path make_file_name(std::string name) {
+/// A name as a file's: whatever could mean something to a shell or a file system becomes '_'.
+std::string make_file_name(std::string name) {
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-' && c != '+') c = '_';
   }
-  return name + ".h5";
+  return name;
 }
 
-std::vector<std::string> find_case_names(const RunOptions& options) {
+/// runs/<name of the model> unless a directory is asked for; the name may not have been checked yet.
+std::filesystem::path find_directory(const RunOptions& options, std::string name) {
+  if (!options.directory.empty()) return options.directory;
+  name = make_file_name(std::move(name));
+  return std::filesystem::path("runs") / (name.starts_with('.') ? "_" + name : name);
+}
+
+std::vector<std::string> find_case_names(const RunOptions& options, const ModelDocument& document) {
   std::vector<std::string> names = options.case_names;
   if (options.all_cases) {
     names.emplace_back(kBaseCase);
-    for (const Case& one : read_case(options.model, {}).cases) {
+    for (const Case& one : document.cases()) {
       if (one.name == kBaseCase)
         throw UsageError("a case is named 'base', as the model without any case is; rename it");
       names.push_back(one.name);
@@ -61,54 +68,29 @@ std::vector<std::string> find_case_names(const RunOptions& options) {
   }
   if (names.empty()) names.emplace_back(kBaseCase);
   // A case asked for twice is run once.
-  std::vector<std::string> unique;
-  for (const std::string& name : names) {
-    if (std::ranges::find(unique, name) == unique.end()) unique.push_back(name);
-  }
-  return unique;
+  std::set<std::string> known;
+  std::erase_if(names, [&known](const std::string& name) { return !known.insert(name).second; });
+  return names;
 }
 
-std::vector<CaseRun> read_cases(const RunOptions& options) {
-  std::vector<CaseRun> cases;
-  for (const std::string& name : find_case_names(options)) {
-    CaseRun& one = cases.emplace_back();
-    one.name = name;
-    one.model = read_case(options.model, name);
-  }
-  return cases;
-}
+std::string_view find_document_case(std::string_view name) { return name == kBaseCase ? std::string_view{} : name; }
 
 /// Gives each case its file: runs/<name of the model>/<name of the case>.h5 unless a directory is asked for.
-void place_outputs(std::vector<CaseRun>& cases, const RunOptions& options) {
+std::vector<CaseRun> place_outputs(const RunOptions& options, const ModelDocument& document,
+                                   const std::vector<Override>& overrides) {
+  std::vector<CaseRun> cases;
   std::map<std::filesystem::path, std::string> names;
-  for (CaseRun& one : cases) {
-    const std::filesystem::path directory =
-        options.directory.empty() ? std::filesystem::path("runs") / one.model.mechanism.name : options.directory;
-    one.file = directory / make_file_name(one.name);
+  for (std::string& name : find_case_names(options, document)) {
+    CaseRun& one = cases.emplace_back();
+    one.name = std::move(name);
+    const std::string model_name = document.find_name(find_document_case(one.name), overrides);
+    one.file = find_directory(options, model_name) / (make_file_name(one.name) + ".h5");
     const auto [known, is_new] = names.emplace(one.file, one.name);
     if (is_new) continue;
     throw UsageError(fmt::format("cases '{}' and '{}' would both be written to {}; run them into different directories",
                                  known->second, one.name, one.file.string()));
   }
-}
-
-/// Throws RejectedModel with what is wrong in any case, each complaint once.
-void require_all_sound(const std::vector<CaseRun>& cases) {
-  std::vector<std::string> texts;
-  for (const CaseRun& one : cases) {
-    std::string text;
-    if (one.model.diagnostics.has_errors()) {
-      text = render(one.model.diagnostics, one.model.source);
-    } else {
-      try {
-        require_start(one.model.mechanism, assemble(one.model.mechanism));
-      } catch (const ModelError& error) {
-        text = render(error.diagnostics(), one.model.source);
-      }
-    }
-    if (!text.empty() && std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
-  }
-  if (!texts.empty()) throw RejectedModel(fmt::format("{}", fmt::join(texts, "\n")));
+  return cases;
 }
 
 using RunLocks = std::vector<std::unique_ptr<RunLock>>;
@@ -125,8 +107,11 @@ RunLocks lock_outputs(const std::vector<CaseRun>& cases) {
 /// Throws FileError when any output cannot be written, before anything is computed.
 RunLocks prepare_outputs(const std::vector<CaseRun>& cases, Existing existing) {
   std::error_code failure;
+  std::filesystem::path made;
   for (const CaseRun& one : cases) {
     const std::filesystem::path directory = one.file.parent_path();
+    if (directory == made) continue;
+    made = directory;
     std::filesystem::create_directories(directory, failure);
     if (failure)
       throw FileError(fmt::format("directory '{}' cannot be made: {}", directory.string(), failure.message()));
@@ -152,14 +137,6 @@ RunLocks prepare_outputs(const std::vector<CaseRun>& cases, Existing existing) {
   return locks;
 }
 
-void print_warnings(const CaseRun& one) {
-  Diagnostics warnings;
-  for (const Diagnostic& item : one.model.diagnostics.items()) {
-    if (item.severity != Severity::remark) warnings.add(item);
-  }
-  write_stderr(render(warnings, one.model.source));
-}
-
 /// The signal first; then what the user can mend soonest: file, model, numbers; and what finished all the same.
 ExitCode find_exit_code(const std::vector<CaseRun>& cases, int signal) {
   const auto any = [&](ExitCode code) { return std::ranges::find(cases, code, &CaseRun::code) != cases.end(); };
@@ -183,18 +160,23 @@ ExitCode add_report(const std::vector<CaseRun>& cases, ExitCode code) {
 ExitCode run_run(const RunOptions& options) {
   const Existing existing =
       options.resume ? Existing::resume : (options.overwrite ? Existing::replace : Existing::refuse);
-  std::vector<CaseRun> cases = read_cases(options);
-  require_all_sound(cases);
-  place_outputs(cases, options);
-  const RunLocks locks = prepare_outputs(cases, existing);
-  if (options.report) check_target(find_report_file(cases.front().file.parent_path()), existing != Existing::refuse);
-  if (!options.quiet) print_warnings(cases.front());
-  // A closed pipe must not end a long computation; what it loses is only text.
-  std::signal(SIGPIPE, SIG_IGN);
+  const ModelDocument document = read_model_document(options.model.file);
+  const std::vector<Override> overrides = make_overrides(options.model);
+  std::vector<CaseRun> cases = place_outputs(options, document, overrides);
   std::vector<std::string> names;
   for (const CaseRun& one : cases) names.push_back(one.name);
   ProgressDisplay display(options.quiet ? ProgressStyle::silent : find_progress_style(), names);
-  const int signal = run_cases(cases, options.n_threads, existing, display);
+  CaseCheck check([&](const std::string& name) { return document.read(find_document_case(name), overrides); }, names);
+  const std::string warnings = check.require_first();
+  const RunLocks locks = prepare_outputs(cases, existing);
+  if (options.report) check_target(find_report_file(cases.front().file.parent_path()), existing != Existing::refuse);
+  if (!options.quiet) write_stderr(warnings);
+  // A closed pipe must not end a long computation; what it loses is only text.
+  std::signal(SIGPIPE, SIG_IGN);
+  check.begin_rest([&display](const std::string& text) { display.add_message(text); });
+  const int signal = run_cases(
+      cases, [&](const std::string& name) { return check.take(name); }, options.n_threads, existing, display);
+  check.end_rest();
   print_results(cases, options.quiet);
   const ExitCode code = find_exit_code(cases, signal);
   return options.report ? add_report(cases, code) : code;

@@ -19,23 +19,6 @@ namespace gudgeon {
 
 namespace {
 
-void update_with_case(DocumentNode& root, ModelFile& model) {
-  const auto found = std::ranges::find(model.cases, model.case_name, &Case::name);
-  if (found == model.cases.end()) {
-    std::vector<std::string> names;
-    for (const Case& one : model.cases) names.push_back(one.name);
-    ReadLog log{model.source, model.diagnostics};
-    report_choice("E-FILE-009", "cases", fmt::format("there is no case '{}'", model.case_name), model.case_name, names,
-                  log);
-    return;
-  }
-  for (const auto& [path, value] : found->overrides) {
-    const SourceSpan* span = model.source.find(fmt::format("cases.{}.set.{}", found->name, path));
-    update_document(root, {path, value}, fmt::format("case '{}'", found->name), span == nullptr ? SourceSpan{} : *span,
-                    model.source, model.diagnostics);
-  }
-}
-
 void update_with_overrides(DocumentNode& root, ModelFile& model) {
   for (const Override& change : model.overrides) {
     const std::string origin = fmt::format("--set {}={}", change.path, change.value);
@@ -100,40 +83,110 @@ void append_check(const Diagnostics& found, Diagnostics& into) {
 
 }  // namespace
 
-ModelFile read_model_text(std::string file_name, std::string text, std::string_view case_name,
-                          std::span<const Override> overrides) {
+ModelDocument::ModelDocument(std::string file_name, std::string text) {
+  source_.file = std::move(file_name);
+  source_.text = std::move(text);
+  root_ = parse_document(source_, diagnostics_);
+  if (!root_) return;
+  cases_ = read_cases(*root_, source_, diagnostics_);
+  for (std::size_t k = 0; k < cases_.size(); ++k) case_indices_.emplace(cases_[k].name, k);
+  update_source(*root_, source_);
+  if (root_->table() != nullptr) std::erase_if(*root_->table(), [](const auto& entry) { return entry.key == "cases"; });
+  // Of the cases only what is wrong with one must keep its place.
+  for (const Diagnostic& item : diagnostics_.items()) {
+    const SourceSpan* span = item.path.starts_with("cases") ? source_.find(item.path) : nullptr;
+    if (span != nullptr) case_spans_.emplace(item.path, *span);
+  }
+}
+
+const Case* ModelDocument::find_case(std::string_view name) const {
+  const auto found = case_indices_.find(name);
+  return found == case_indices_.end() ? nullptr : &cases_[found->second];
+}
+
+void ModelDocument::update_with_case(DocumentNode& root, ModelFile& model) const {
+  const Case* one = find_case(model.case_name);
+  if (one == nullptr) {
+    std::vector<std::string> names;
+    for (const Case& known : cases_) names.push_back(known.name);
+    ReadLog log{model.source, model.diagnostics};
+    report_choice("E-FILE-009", "cases", fmt::format("there is no case '{}'", model.case_name), model.case_name, names,
+                  log);
+    return;
+  }
+  model.cases.push_back(*one);
+  for (const auto& [path, value] : one->overrides) {
+    const SourceSpan* span = source_.find(fmt::format("cases.{}.set.{}", one->name, path));
+    update_document(root, {path, value}, fmt::format("case '{}'", one->name), span == nullptr ? SourceSpan{} : *span,
+                    model.source, model.diagnostics);
+  }
+}
+
+ModelFile ModelDocument::read(std::string_view case_name, std::span<const Override> overrides) const {
   ModelFile model;
-  model.source.file = std::move(file_name);
-  model.source.text = std::move(text);
+  model.source.file = source_.file;
+  model.source.text = source_.text;
+  model.source.spans = root_ ? case_spans_ : source_.spans;
   model.case_name = case_name;
   model.overrides.assign(overrides.begin(), overrides.end());
-  std::optional<DocumentNode> root = parse_document(model.source, model.diagnostics);
-  if (!root) return model;
-  model.cases = read_cases(*root, model.source, model.diagnostics);
-  update_source(*root, model.source);
-  if (!model.case_name.empty() || !model.overrides.empty()) {
-    if (!model.case_name.empty()) update_with_case(*root, model);
-    update_with_overrides(*root, model);
-    // Replaced values take their places and texts with them; overrides that found no value keep theirs, "(override …)".
-    std::erase_if(model.source.spans, [](const auto& item) { return !item.first.starts_with('('); });
-    model.source.written.clear();
-    update_source(*root, model.source);
-  }
-  read_sections(*root, model);
+  model.diagnostics = diagnostics_;
+  if (!root_) return model;
+  DocumentNode root = *root_;
+  if (!model.case_name.empty()) update_with_case(root, model);
+  update_with_overrides(root, model);
+  update_source(root, model.source);
+  read_sections(root, model);
   update_cycle(model.mechanism, model.study);
   append_check(check(model.mechanism, model.study, &model.source, model.diagnostics.has_errors()), model.diagnostics);
   return model;
 }
 
-ModelFile read_model(const std::filesystem::path& file, std::string_view case_name,
-                     std::span<const Override> overrides) {
+std::string ModelDocument::find_name(std::string_view case_name, std::span<const Override> overrides) const {
+  const DocumentNode* node = root_ && root_->table() != nullptr ? find_node(*root_->table(), "name") : nullptr;
+  const auto* text = node == nullptr ? nullptr : std::get_if<std::string>(&node->value);
+  std::string name = text == nullptr ? std::string{} : *text;
+  const auto update = [&name](const std::string& path, const std::string& value) {
+    if (path != "name") return;
+    const DocumentNode replaced = parse_value(value);
+    const auto* other = std::get_if<std::string>(&replaced.value);
+    name = other == nullptr ? std::string{} : *other;
+  };
+  if (const Case* one = find_case(case_name)) {
+    for (const auto& [path, value] : one->overrides) update(path, value);
+  }
+  for (const Override& change : overrides) update(change.path, change.value);
+  return name;
+}
+
+ModelDocument read_model_document(const std::filesystem::path& file) {
   std::ifstream stream{file, std::ios::binary};
   std::ostringstream text;
   // A directory opens, but cannot be read; an empty file is a model, though a bad one.
   const bool good = stream.is_open() && !std::filesystem::is_directory(file) &&
                     (stream.peek() == std::char_traits<char>::eof() || text << stream.rdbuf());
   if (!good || stream.bad()) throw FileError(fmt::format("model file '{}' cannot be read", file.string()));
-  return read_model_text(file.string(), text.str(), case_name, overrides);
+  return {file.string(), std::move(text).str()};
+}
+
+namespace {
+
+ModelFile read_with_all_cases(const ModelDocument& document, std::string_view case_name,
+                              std::span<const Override> overrides) {
+  ModelFile model = document.read(case_name, overrides);
+  model.cases = document.cases();
+  return model;
+}
+
+}  // namespace
+
+ModelFile read_model_text(std::string file_name, std::string text, std::string_view case_name,
+                          std::span<const Override> overrides) {
+  return read_with_all_cases(ModelDocument(std::move(file_name), std::move(text)), case_name, overrides);
+}
+
+ModelFile read_model(const std::filesystem::path& file, std::string_view case_name,
+                     std::span<const Override> overrides) {
+  return read_with_all_cases(read_model_document(file), case_name, overrides);
 }
 
 }  // namespace gudgeon
