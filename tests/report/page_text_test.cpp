@@ -90,5 +90,17 @@ TEST(PageText, ShowsControlCharacters) {
   EXPECT_THAT(canvas.render(), HasSubstr("a\\u001B\\u202E"));
 }
 
+// A word of five hundred letters in a picture of 800 pixels.
+TEST(SvgCanvas, CutsATextThatIsWiderThanTheSheet) {
+  SvgCanvas canvas(800.0, 400.0, "title");
+  const std::string word(500, 'w');
+  canvas.add_text({20.0, 30.0}, word, {.size = 16.0});
+  canvas.add_text({700.0, 60.0}, word, {.size = 16.0, .anchor = TextAnchor::middle});
+  canvas.add_text({20.0, 90.0}, "of ordinary length", {.size = 16.0});
+  EXPECT_THAT(canvas.render(), HasSubstr(">" + std::string(82, 'w') + "…<"));
+  EXPECT_THAT(canvas.render(), HasSubstr(">" + std::string(19, 'w') + "…<"));
+  EXPECT_THAT(canvas.render(), HasSubstr(">of ordinary length<"));
+}
+
 }  // namespace
 }  // namespace gudgeon

@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { openBrowser, openReport, waitUntil } from './browser.mjs';
-import { findExample, makeReport, removeFolder, writeFailing, writeTwelveJoints } from './runs.mjs';
+import { findExample, makeReport, removeFolder, writeFailing, writeLongWords, writeTwelveJoints } from './runs.mjs';
 
 let browser;
 
@@ -56,4 +56,18 @@ test('twelve clearance joints, one of two at a time magnified', async () => {
 test('a run that failed half-way', async () => {
   const file = makeReport(writeFailing(), 'failed', ['study.compare_ideal=false', 'study.cycles=1'], { mayFail: true });
   await checkReport(file, { figures: 15, joints: 1, text: /Stage “no wear” failed at .* what it recorded is shown/ });
+});
+
+test('words of five hundred letters leave the page its width', async () => {
+  const page = await openReport(browser, makeReport(writeLongWords(), 'long', [], { cases: ['base', 'wide'] }));
+  for (const width of [1200, 700, 400]) {
+    await page.setViewportSize({ width, height: 900 });
+    const shown = await page.evaluate(() => {
+      document.querySelectorAll('details').forEach((one) => { one.open = true; });
+      return { scroll: document.documentElement.scrollWidth, client: document.documentElement.clientWidth };
+    });
+    assert.ok(shown.scroll <= shown.client, `${shown.scroll} px in a window of ${shown.client}`);
+  }
+  assert.deepEqual(page.complaints, []);
+  await page.context().close();
 });

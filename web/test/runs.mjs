@@ -91,3 +91,16 @@ constants = { f = "1 mN", last = "0.7 s" }
 `);
   return file;
 }
+
+/** The slider-crank with names and texts of five hundred letters wherever a model has them. */
+export function writeLongWords() {
+  const word = (letter) => letter.repeat(500);
+  const file = join(folder, 'long_words.toml');
+  const text = readFileSync(join(source, 'tests', 'app', 'slider_crank.toml'), 'utf8')
+    .replace('name = "slider_crank"', `name = "${word('n')}"\ndescription = "${word('d')}"`)
+    .replaceAll('[joints.pin]', `[joints.${word('p')}]`).replaceAll('joints.pin.', `joints.${word('p')}.`)
+    .replaceAll('motor', word('m')).replace('[bodies.rod]', `[bodies.${word('r')}]`).replaceAll('"rod.', `"${word('r')}.`)
+    .replace('twice the clearance', word('c'));
+  writeFileSync(file, text);
+  return file;
+}

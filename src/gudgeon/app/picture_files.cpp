@@ -6,23 +6,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <utility>
 
+#include "gudgeon/app/file_names.h"
 #include "gudgeon/base/diagnostics.h"
 
 namespace gudgeon {
 
 std::filesystem::path make_picture_path(const std::filesystem::path& directory, std::string name,
                                         std::string_view format) {
-  std::ranges::replace_if(
-      name,
-      [](unsigned char c) {
-        return std::isalnum(c) == 0 && std::string_view("._-+").find(static_cast<char>(c)) == std::string_view::npos;
-      },
-      '_');
-  return directory / fmt::format("{}.{}", name, format);
+  return directory / fmt::format("{}.{}", make_file_name(std::move(name)), format);
 }
 
 void make_picture_directory(const std::filesystem::path& directory) {

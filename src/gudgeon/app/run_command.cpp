@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <csignal>
 #include <map>
 #include <memory>
@@ -19,6 +18,7 @@
 #include "gudgeon/app/case_results.h"
 #include "gudgeon/app/case_runner.h"
 #include "gudgeon/app/command_line.h"
+#include "gudgeon/app/file_names.h"
 #include "gudgeon/app/model_options.h"
 #include "gudgeon/app/report_command.h"
 #include "gudgeon/app/text_output.h"
@@ -40,14 +40,6 @@ struct RunOptions {
   bool quiet = false;
   bool report = false;
 };
-
-/// A name as a file's: whatever could mean something to a shell or a file system becomes '_'.
-std::string make_file_name(std::string name) {
-  for (char& c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-' && c != '+') c = '_';
-  }
-  return name;
-}
 
 /// runs/<name of the model> unless a directory is asked for; the name may not have been checked yet.
 std::filesystem::path find_directory(const RunOptions& options, std::string name) {

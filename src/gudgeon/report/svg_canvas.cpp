@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -103,7 +104,20 @@ void SvgCanvas::add_text(Vec2 baseline, std::string_view text, const TextStyle& 
       "stroke=\"{}\" stroke-width=\"3\" paint-order=\"stroke\">{}</text>\n",
       format(baseline.x), format(baseline.y), format(style.size), style.color, kAnchors[static_cast<int>(style.anchor)],
       style.bold ? " font-weight=\"bold\"" : "", style.italic ? " font-style=\"italic\"" : "", style.halo,
-      escape(text));
+      escape(fit_text(baseline, text, style)));
+}
+
+// Only what no sheet could hold: ordinary texts are placed by whoever adds them.
+std::string SvgCanvas::fit_text(Vec2 baseline, std::string_view text, const TextStyle& style) const {
+  if (find_text_width(text, style.size, style.bold) <= width_) return std::string(text);
+  const double right = width_ - baseline.x;
+  const double room = style.anchor == TextAnchor::start ? right
+                      : style.anchor == TextAnchor::end ? baseline.x
+                                                        : 2.0 * std::min(right, baseline.x);
+  const double n_letters = std::max(room / find_text_width("m", style.size, style.bold) - 2.0, 1.0);
+  std::string_view rest = text;
+  for (int k = 0; k < static_cast<int>(n_letters) && !rest.empty(); ++k) take_code_point(rest);
+  return fmt::format("{}…", text.substr(0, text.size() - rest.size()));
 }
 
 void SvgCanvas::begin_group(std::string_view name) { body_ += fmt::format("<g class=\"{}\">\n", escape(name)); }

@@ -41,7 +41,7 @@ class SvgCanvas {
   void add_circle(Vec2 center, double radius, const Paint& paint);
   /// The arc from one angle to another, both [rad] and counter-clockwise as seen on the sheet.
   void add_arc(Vec2 center, double radius, double from, double to, const Paint& paint);
-  /// Text on a halo, its baseline at the given place.
+  /// Text on a halo, its baseline at the given place; one wider than the sheet is cut at its edge.
   void add_text(Vec2 baseline, std::string_view text, const TextStyle& style);
   void begin_group(std::string_view name);
   void end_group();
@@ -50,6 +50,7 @@ class SvgCanvas {
   [[nodiscard]] std::string render() const;
 
  private:
+  [[nodiscard]] std::string fit_text(Vec2 baseline, std::string_view text, const TextStyle& style) const;
   double width_;
   double height_;
   std::string title_;
