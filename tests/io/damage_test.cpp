@@ -129,7 +129,8 @@ TEST(Damage, VerificationNamesWhatIsDamaged) {
     const Hdf5Session session;
     const Hdf5Source source(scratch / "x.h5");
     const Hdf5Handle dataset = open_dataset(
-        open_group(open_group(open_group(source.root(), "stages"), "no_wear"), "channels"), "slider.x_acceleration");
+        open_group(open_group(open_group(open_group(source.root(), "stages"), "no_wear"), "channels"), "slider"),
+        "x_acceleration");
     hsize_t offset = 0;
     unsigned mask = 0;
     haddr_t place = 0;
@@ -143,10 +144,10 @@ TEST(Damage, VerificationNamesWhatIsDamaged) {
   test::write_text_file(scratch / "x.h5", damaged);
   const RunVerification found = verify_run(scratch / "x.h5");
   ASSERT_EQ(found.troubles.size(), 1u);
-  EXPECT_THAT(found.troubles[0], HasSubstr("/stages/no_wear/channels/slider.x_acceleration: cannot read dataset"));
+  EXPECT_THAT(found.troubles[0], HasSubstr("/stages/no_wear/channels/slider/x_acceleration: cannot read dataset"));
   EXPECT_THAT(find_message<FileError>([&] { require_sound(scratch / "x.h5"); }), HasSubstr("x.h5: is damaged"));
   EXPECT_THAT(find_message<FileError>([&] { read_run(scratch / "x.h5"); }),
-              HasSubstr("stage 'no_wear': cannot read dataset 'slider.x_acceleration'"));
+              HasSubstr("stage 'no_wear': cannot read dataset 'x_acceleration'"));
 }
 
 TEST(Damage, FormatOneHasNoChecksums) {
@@ -171,8 +172,9 @@ std::string read_changed(const std::function<void(const Hdf5Handle& root)>& chan
   return find_message<FileError>([&] { read_run(scratch / "x.h5"); });
 }
 
-Hdf5Handle open_channels(const Hdf5Handle& root) {
-  return open_group(open_group(open_group(root, "stages"), "wear_1"), "channels");
+/// The group of the slider's channels.
+Hdf5Handle open_slider(const Hdf5Handle& root) {
+  return open_group(open_group(open_group(open_group(root, "stages"), "wear_1"), "channels"), "slider");
 }
 
 TEST(Damage, LinksToOtherFilesAreNotFollowed) {
@@ -185,13 +187,13 @@ TEST(Damage, LinksToOtherFilesAreNotFollowed) {
               }),
               HasSubstr("member 'wear_1' is a link to elsewhere"));
   EXPECT_THAT(read_changed([](const Hdf5Handle& root) {
-                const Hdf5Handle channels = open_channels(root);
-                remove_link(channels, "slider.x");
-                check_status(H5Lcreate_external("other.h5", "/stages/wear_1/channels/slider.x", channels.id(),
-                                                "slider.x", H5P_DEFAULT, H5P_DEFAULT),
+                const Hdf5Handle channels = open_slider(root);
+                remove_link(channels, "x");
+                check_status(H5Lcreate_external("other.h5", "/stages/wear_1/channels/slider/x", channels.id(), "x",
+                                                H5P_DEFAULT, H5P_DEFAULT),
                              "cannot link", "");
               }),
-              HasSubstr("member 'slider.x' is a link to elsewhere"));
+              HasSubstr("member 'x' is a link to elsewhere"));
   EXPECT_THAT(read_changed([](const Hdf5Handle& root) {
                 remove_link(root, "model_text");
                 make_soft_link(root, "model_text", "/explained");
@@ -201,19 +203,19 @@ TEST(Damage, LinksToOtherFilesAreNotFollowed) {
 
 TEST(Damage, ValuesInOtherFilesAreNotRead) {
   EXPECT_THAT(read_changed([](const Hdf5Handle& root) {
-                const Hdf5Handle channels = open_channels(root);
-                remove_link(channels, "slider.x");
+                const Hdf5Handle channels = open_slider(root);
+                remove_link(channels, "x");
                 const hsize_t size = test::kSamples;
                 const Hdf5Handle space = check_id(H5Screate_simple(1, &size, nullptr), "cannot make", "space");
                 const Hdf5Handle storage = check_id(H5Pcreate(H5P_DATASET_CREATE), "cannot make", "storage");
                 H5Pset_external(storage.id(), "other.h5", 0, size * sizeof(double));
-                const Hdf5Handle dataset = check_id(H5Dcreate2(channels.id(), "slider.x", H5T_IEEE_F64LE, space.id(),
-                                                               H5P_DEFAULT, storage.id(), H5P_DEFAULT),
-                                                    "cannot make", "dataset");
+                const Hdf5Handle dataset = check_id(
+                    H5Dcreate2(channels.id(), "x", H5T_IEEE_F64LE, space.id(), H5P_DEFAULT, storage.id(), H5P_DEFAULT),
+                    "cannot make", "dataset");
                 write_text_attribute(dataset, "symbol", "x");
                 write_text_attribute(dataset, "description", "of another file");
               }),
-              HasSubstr("dataset 'slider.x' keeps its values in another file"));
+              HasSubstr("dataset 'x' keeps its values in another file"));
 }
 
 /// What reading says of a run that was changed before it was written.
@@ -256,9 +258,9 @@ TEST(Damage, ImpossibleValuesAreRefusedByName) {
               }),
               HasSubstr("'cycles' is 4611686018427387904, which no run has"));
   EXPECT_THAT(read_changed([](const Hdf5Handle& root) {
-                const Hdf5Handle channels = open_channels(root);
-                remove_link(channels, "slider.x");
-                const Hdf5Handle series = write_series(channels, "slider.x", std::vector<double>(7));
+                const Hdf5Handle channels = open_slider(root);
+                remove_link(channels, "x");
+                const Hdf5Handle series = write_series(channels, "x", std::vector<double>(7));
                 write_text_attribute(series, "symbol", "x");
                 write_text_attribute(series, "description", "of another length");
               }),
@@ -268,15 +270,15 @@ TEST(Damage, ImpossibleValuesAreRefusedByName) {
 // A dataset may claim any size without a byte behind it.
 TEST(Damage, ClaimsOfMoreThanTheFileHoldsAreRefused) {
   EXPECT_THAT(read_changed([](const Hdf5Handle& root) {
-                const Hdf5Handle channels = open_channels(root);
-                remove_link(channels, "slider.x");
-                const Hdf5Handle series = make_growing_series(channels, "slider.x", 1000);
+                const Hdf5Handle channels = open_slider(root);
+                remove_link(channels, "x");
+                const Hdf5Handle series = SeriesMaker::growing(1000).make(channels, "x", {});
                 const hsize_t size = hsize_t{1} << 33;
-                check_status(H5Dset_extent(series.id(), &size), "cannot extend", "slider.x");
+                check_status(H5Dset_extent(series.id(), &size), "cannot extend", "x");
                 write_text_attribute(series, "symbol", "x");
                 write_text_attribute(series, "description", "64 GiB of nothing");
               }),
-              HasSubstr("dataset 'slider.x' claims more values than the file holds"));
+              HasSubstr("dataset 'x' claims more values than the file holds"));
 }
 
 }  // namespace

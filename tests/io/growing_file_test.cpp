@@ -169,7 +169,7 @@ TEST(GrowingFile, SavedChangesAreTakenUpAgain) {
   {
     GrowingFile file(path);
     file.change([](const Hdf5Handle& root) {
-      make_growing_series(open_group(root, "stages"), "s", 100);
+      static_cast<void>(SeriesMaker::growing(100).make(open_group(root, "stages"), "s", {}));
       extend_series(open_group(root, "stages"), "s", std::vector<double>(250, 1.0));
     });
     saved = file.save_changes();

@@ -19,10 +19,16 @@ namespace gudgeon {
 namespace {
 
 constexpr std::size_t kChunkRows = 16384;      // 128 KiB of doubles: well inside HDF5's chunk cache of 1 MiB
-constexpr std::size_t kMostCompact = 4096;     // [bytes] that an object's header holds with no index to them
+constexpr std::size_t kMostCompact = 1024;     // [bytes] that an object's header holds with no index to them
 constexpr std::size_t kLongText = 32768;       // [bytes] HDF5 has no room for 64 KiB in a header
 constexpr unsigned kDeflateLevel = 1;          // after shuffle, higher levels cost much time and gain little
 constexpr std::uint64_t kMostDeflated = 1032;  // how many times smaller deflate makes anything
+
+/// Without rows, there may come any number.
+Hdf5Handle make_row_space(hsize_t n_rows) {
+  const hsize_t no_limit = H5S_UNLIMITED;
+  return check_id(H5Screate_simple(1, &n_rows, n_rows == 0 ? &no_limit : nullptr), "cannot make", "rows");
+}
 
 Hdf5Handle make_creation() { return check_id(H5Pcreate(H5P_DATASET_CREATE), "cannot make", "dataset storage"); }
 
@@ -71,11 +77,8 @@ Hdf5Handle write_single(const Hdf5Handle& parent, const std::string& name, Hdf5I
 
 Hdf5Handle write_rows(const Hdf5Handle& parent, const std::string& name, Hdf5Id on_file, Hdf5Id in_memory,
                       std::size_t n_rows, const void* values) {
-  const hsize_t size = n_rows;
-  const hsize_t no_limit = H5S_UNLIMITED;
-  const Hdf5Handle space =
-      check_id(H5Screate_simple(1, &size, n_rows == 0 ? &no_limit : nullptr), "cannot make rows for", name);
-  Hdf5Handle dataset = make_dataset(parent, name, on_file, space, make_storage(n_rows, H5Tget_size(on_file)));
+  Hdf5Handle dataset =
+      make_dataset(parent, name, on_file, make_row_space(n_rows), make_storage(n_rows, H5Tget_size(on_file)));
   if (n_rows > 0) write_values(dataset, name, in_memory, values);
   return dataset;
 }
@@ -121,10 +124,16 @@ std::string take_text(const char* bytes, std::size_t size) { return {bytes, ::st
 
 }  // namespace
 
+void write_unit(const Hdf5Handle& dataset, const std::string& unit, TextAttributes& attributes) {
+  if (unit.empty()) return;
+  attributes.write(dataset, "unit", unit);
+  attributes.write(dataset, "units", unit);
+}
+
 void write_unit(const Hdf5Handle& dataset, const std::string& unit) {
   if (unit.empty()) return;
-  write_text_attribute(dataset, "unit", unit);
-  write_text_attribute(dataset, "units", unit);
+  TextAttributes attributes;
+  write_unit(dataset, unit, attributes);
 }
 
 void write_real(const Hdf5Handle& parent, const std::string& name, double value, const std::string& unit) {
@@ -215,13 +224,22 @@ std::vector<std::string> read_lines(const Hdf5Handle& parent, const std::string&
   return texts;
 }
 
-Hdf5Handle make_growing_series(const Hdf5Handle& parent, const std::string& name, std::size_t chunk_rows) {
-  const hsize_t n_rows = 0;
-  const hsize_t no_limit = H5S_UNLIMITED;
-  const Hdf5Handle space = check_id(H5Screate_simple(1, &n_rows, &no_limit), "cannot make a series for", name);
-  const Hdf5Handle storage = make_creation();
+SeriesMaker::SeriesMaker(Hdf5Handle space, Hdf5Handle storage, bool is_growing)
+    : space_(std::move(space)), storage_(std::move(storage)), is_growing_(is_growing) {}
+
+SeriesMaker::SeriesMaker(std::size_t n_rows)
+    : SeriesMaker(make_row_space(n_rows), make_storage(n_rows, sizeof(double)), false) {}
+
+SeriesMaker SeriesMaker::growing(std::size_t chunk_rows) {
+  Hdf5Handle storage = make_creation();
   set_chunks(storage, std::clamp<std::size_t>(chunk_rows, 1, kChunkRows));
-  return make_dataset(parent, name, H5T_IEEE_F64LE, space, storage);
+  return {make_row_space(0), std::move(storage), true};
+}
+
+Hdf5Handle SeriesMaker::make(const Hdf5Handle& parent, const std::string& name, std::span<const double> values) const {
+  Hdf5Handle dataset = make_dataset(parent, name, H5T_IEEE_F64LE, space_, storage_);
+  if (!is_growing_ && !values.empty()) write_values(dataset, name, H5T_NATIVE_DOUBLE, values.data());
+  return dataset;
 }
 
 void extend_series(const Hdf5Handle& parent, const std::string& name, std::span<const double> values) {
@@ -231,7 +249,7 @@ void extend_series(const Hdf5Handle& parent, const std::string& name, std::span<
   const hsize_t n_added = values.size();
   const hsize_t n_after = n_before + n_added;
   check_status(H5Dset_extent(dataset.id(), &n_after), "cannot extend dataset", name);
-  const Hdf5Handle rows = check_id(H5Screate_simple(1, &n_added, nullptr), "cannot make rows for", name);
+  const Hdf5Handle rows = make_row_space(n_added);
   const Hdf5Handle space = check_id(H5Dget_space(dataset.id()), "cannot measure dataset", name);
   check_status(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &n_before, nullptr, &n_added, nullptr),
                "cannot select rows of dataset", name);
@@ -253,17 +271,19 @@ void make_scale(const Hdf5Handle& series, const std::string& name) {
 
 // HDF5's own call also lists every series at the scale, which takes time by the square of their number and soon no room
 // is left for the list. Nobody needs it.
-void attach_scale(const Hdf5Handle& series, const Hdf5Handle& parent_of_scale, const std::string& scale) {
-  hobj_ref_t reference{};
-  check_status(H5Rcreate(&reference, parent_of_scale.id(), scale.c_str(), H5R_OBJECT, -1), "cannot refer to", scale);
-  const hvl_t list{1, &reference};
-  const Hdf5Handle type = check_id(H5Tvlen_create(H5T_STD_REF_OBJ), "cannot make", "reference type");
-  const hsize_t n_dimensions = 1;
-  const Hdf5Handle space = check_id(H5Screate_simple(1, &n_dimensions, nullptr), "cannot make a list for", scale);
+ScaleReference::ScaleReference(const Hdf5Handle& parent, const std::string& scale)
+    : type_(check_id(H5Tvlen_create(H5T_STD_REF_OBJ), "cannot make", "reference type")), space_(make_row_space(1)) {
+  static_assert(sizeof(hobj_ref_t) == sizeof address_);
+  check_status(H5Rcreate(&address_, parent.id(), scale.c_str(), H5R_OBJECT, -1), "cannot refer to", scale);
+}
+
+void ScaleReference::attach_to(const Hdf5Handle& series) const {
+  std::uint64_t address = address_;
+  const hvl_t list{1, &address};
   const Hdf5Handle attribute =
-      check_id(H5Acreate2(series.id(), "DIMENSION_LIST", type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+      check_id(H5Acreate2(series.id(), "DIMENSION_LIST", type_.id(), space_.id(), H5P_DEFAULT, H5P_DEFAULT),
                "cannot make attribute", "DIMENSION_LIST");
-  check_status(H5Awrite(attribute.id(), type.id(), &list), "cannot write attribute", "DIMENSION_LIST");
+  check_status(H5Awrite(attribute.id(), type_.id(), &list), "cannot write attribute", "DIMENSION_LIST");
 }
 
 Hdf5Handle open_dataset(const Hdf5Handle& parent, const std::string& name) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "gudgeon/io/hdf5_handle.h"
+#include "gudgeon/io/hdf5_node.h"
 
 namespace gudgeon {
 
@@ -25,6 +26,7 @@ void write_count(const Hdf5Handle& parent, const std::string& name, std::int64_t
 Hdf5Handle write_text(const Hdf5Handle& parent, const std::string& name, const std::string& text);
 /// The attributes 'unit' and 'units'; nothing when it is empty.
 void write_unit(const Hdf5Handle& dataset, const std::string& unit);
+void write_unit(const Hdf5Handle& dataset, const std::string& unit, TextAttributes& attributes);
 
 /// Single values; of files of format 1 an attribute of the group.
 [[nodiscard]] bool has_value(const Hdf5Handle& parent, const std::string& name);
@@ -42,16 +44,41 @@ std::vector<double> read_series(const Hdf5Handle& parent, const std::string& nam
 std::vector<std::int32_t> read_indices(const Hdf5Handle& parent, const std::string& name);
 std::vector<std::string> read_lines(const Hdf5Handle& parent, const std::string& name);
 
-/// A series that grows: empty, in chunks of so many rows. Writing each chunk in one piece is fastest.
-Hdf5Handle make_growing_series(const Hdf5Handle& parent, const std::string& name, std::size_t chunk_rows);
+/// Makes many series of one length, as they lie in the file thought out once.
+class SeriesMaker {
+ public:
+  explicit SeriesMaker(std::size_t n_rows);
+  /// Series that grow: empty, in chunks of so many rows. Writing each chunk in one piece is fastest.
+  static SeriesMaker growing(std::size_t chunk_rows);
+
+  /// Returned open for its attributes; of series that grow, the values are left to extend_series().
+  [[nodiscard]] Hdf5Handle make(const Hdf5Handle& parent, const std::string& name,
+                                std::span<const double> values) const;
+
+ private:
+  SeriesMaker(Hdf5Handle space, Hdf5Handle storage, bool is_growing);
+  Hdf5Handle space_;
+  Hdf5Handle storage_;
+  bool is_growing_;
+};
+
 void extend_series(const Hdf5Handle& parent, const std::string& name, std::span<const double> values);
 /// Forgets what comes after so many rows; FileError when there are fewer.
 void cut_series(const Hdf5Handle& parent, const std::string& name, std::size_t n_rows);
 
 /// Makes a series what others are over, as netCDF has it: a dimension scale.
 void make_scale(const Hdf5Handle& series, const std::string& name);
-/// Says that the rows of a series are over that scale.
-void attach_scale(const Hdf5Handle& series, const Hdf5Handle& parent_of_scale, const std::string& scale);
+/// Says of series that their rows are over that scale.
+class ScaleReference {
+ public:
+  ScaleReference(const Hdf5Handle& parent, const std::string& scale);
+  void attach_to(const Hdf5Handle& series) const;
+
+ private:
+  std::uint64_t address_ = 0;  // of the scale in its file
+  Hdf5Handle type_;
+  Hdf5Handle space_;
+};
 
 /// Of its own file, and neither virtual nor kept elsewhere.
 Hdf5Handle open_dataset(const Hdf5Handle& parent, const std::string& name);

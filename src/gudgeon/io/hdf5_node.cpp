@@ -17,8 +17,10 @@ namespace gudgeon {
 
 namespace {
 
-void write_attribute(const Hdf5Handle& node, const std::string& name, Hdf5Id type, const void* value) {
-  const Hdf5Handle space = check_id(H5Screate(H5S_SCALAR), "cannot make a scalar for", name);
+Hdf5Handle make_scalar_space() { return check_id(H5Screate(H5S_SCALAR), "cannot make", "scalar"); }
+
+void write_attribute(const Hdf5Handle& node, const std::string& name, Hdf5Id type, const Hdf5Handle& space,
+                     const void* value) {
   const Hdf5Handle attribute = check_id(H5Acreate2(node.id(), name.c_str(), type, space.id(), H5P_DEFAULT, H5P_DEFAULT),
                                         "cannot make attribute", name);
   check_status(H5Awrite(attribute.id(), type, value), "cannot write attribute", name);
@@ -109,6 +111,11 @@ void make_soft_link(const Hdf5Handle& parent, const std::string& name, const std
                name);
 }
 
+void make_hard_link(const Hdf5Handle& parent, const std::string& name, const Hdf5Handle& other) {
+  check_status(H5Lcreate_hard(parent.id(), name.c_str(), other.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+               "cannot make link", name);
+}
+
 void remove_link(const Hdf5Handle& parent, const std::string& name) {
   check_status(H5Ldelete(parent.id(), name.c_str(), H5P_DEFAULT), "cannot remove", name);
 }
@@ -142,12 +149,21 @@ std::vector<std::string> find_children(const Hdf5Handle& group) {
   return names;
 }
 
+TextAttributes::TextAttributes() : space_(make_scalar_space()) {}
+
+void TextAttributes::write(const Hdf5Handle& node, const std::string& name, const std::string& text) {
+  const std::pair<std::size_t, bool> key(text.size(), is_ascii(text));
+  auto type = types_.find(key);
+  if (type == types_.end()) type = types_.emplace(key, make_text_type(key.first, key.second)).first;
+  write_attribute(node, name, type->second.id(), space_, text.c_str());
+}
+
 void write_text_attribute(const Hdf5Handle& node, const std::string& name, const std::string& text) {
-  write_attribute(node, name, make_text_type(text.size(), is_ascii(text)).id(), text.c_str());
+  TextAttributes().write(node, name, text);
 }
 
 void write_count_attribute(const Hdf5Handle& node, const std::string& name, std::int64_t count) {
-  write_attribute(node, name, H5T_NATIVE_INT64, &count);
+  write_attribute(node, name, H5T_NATIVE_INT64, make_scalar_space(), &count);
 }
 
 std::string read_text_attribute(const Hdf5Handle& node, const std::string& name) {

@@ -7,8 +7,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gudgeon/io/hdf5_handle.h"
@@ -30,6 +32,8 @@ Hdf5Handle make_group(const Hdf5Handle& parent, const std::string& name, unsigne
 /// FileError when it is missing, or lies in another file.
 Hdf5Handle open_group(const Hdf5Handle& parent, const std::string& name);
 void make_soft_link(const Hdf5Handle& parent, const std::string& name, const std::string& target);
+/// A second name of a member, in another group.
+void make_hard_link(const Hdf5Handle& parent, const std::string& name, const Hdf5Handle& other);
 void remove_link(const Hdf5Handle& parent, const std::string& name);
 [[nodiscard]] bool has_link(const Hdf5Handle& parent, const std::string& name);
 /// FileError "<what> 'name' is missing", or what leads out of the file.
@@ -41,6 +45,17 @@ void require_link(const Hdf5Handle& parent, const std::string& name, std::string
 std::vector<std::string> find_members(const Hdf5Handle& group);
 /// The same, in files of format 1 sorted by each child's attribute 'order'.
 std::vector<std::string> find_children(const Hdf5Handle& group);
+
+/// Writes many short texts: the types of their lengths are made once.
+class TextAttributes {
+ public:
+  TextAttributes();
+  void write(const Hdf5Handle& node, const std::string& name, const std::string& text);
+
+ private:
+  Hdf5Handle space_;
+  std::map<std::pair<std::size_t, bool>, Hdf5Handle> types_;  // by size and whether it is ASCII
+};
 
 void write_text_attribute(const Hdf5Handle& node, const std::string& name, const std::string& text);
 void write_count_attribute(const Hdf5Handle& node, const std::string& name, std::int64_t count);

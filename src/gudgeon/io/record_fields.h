@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 #include "gudgeon/results/run_record.h"
@@ -15,7 +14,6 @@ namespace gudgeon {
 
 inline constexpr const char* kRunFormat = "gudgeon run";
 inline constexpr std::int64_t kRunFormatVersion = 2;
-inline constexpr std::string_view kTimeName = "time";  ///< among the channels, whose names all have a point
 
 /// One member of a record: its name on file, its SI unit, where it is stored.
 template <class Record, class Value>

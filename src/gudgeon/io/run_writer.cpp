@@ -54,17 +54,6 @@ void write_failure(const Hdf5Handle& root, const StageRecord& stage) {
   make_soft_link(failure, "stage", "/stages/" + stage.name);
 }
 
-/// Leaves of a stage that was ended nothing but its first samples.
-void reopen_stage(const Hdf5Handle& stages, const StageUnderWay& under_way) {
-  const Hdf5Handle stage = open_group(stages, under_way.stage);
-  const std::string kept = "channels";
-  for (const std::string& name : find_members(stage)) {
-    if (name != kept) remove_link(stage, name);
-  }
-  const Hdf5Handle channels = open_group(stage, kept);
-  for (const std::string& name : find_members(channels)) cut_series(channels, name, under_way.n_samples);
-}
-
 void make_file(const std::filesystem::path& file, const RunRecord& header) {
   PartialFile partial(file);
   {
@@ -125,7 +114,9 @@ bool RunWriter::take_up(const StageUnderWay& under_way) {
   try {
     const Hdf5Source source(file_);
     if (!has_link(open_group(source.root(), "stages"), under_way.stage)) return false;
-    growing_->change([&](const Hdf5Handle& root) { reopen_stage(open_group(root, "stages"), under_way); });
+    growing_->change([&](const Hdf5Handle& root) {
+      reopen_stage(open_group(root, "stages"), under_way.stage, under_way.n_samples);
+    });
     return true;
   } catch (const FileError&) {
     return false;  // it has other samples: the stage begins anew

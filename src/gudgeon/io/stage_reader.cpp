@@ -14,6 +14,7 @@
 #include "gudgeon/io/hdf5_node.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/run_tables.h"
+#include "gudgeon/io/stage_channels.h"
 #include "gudgeon/io/stage_checks.h"
 
 namespace gudgeon {
@@ -39,22 +40,6 @@ StageStatus read_status(const Hdf5Handle& node) {
   const auto found = std::ranges::find(kStatusNames, text, [](const StatusName& s) { return std::string(s.name); });
   if (found == kStatusNames.end()) throw FileError(fmt::format("status '{}' is not known", text));
   return found->status;
-}
-
-/// Channels without a dimension have none.
-std::string read_unit(const Hdf5Handle& dataset) {
-  return has_attribute(dataset, "unit") ? read_text_attribute(dataset, "unit") : std::string();
-}
-
-void read_channel_list(const Hdf5Handle& node, StageRecord& stage) {
-  const Hdf5Handle group = open_group(node, "channels");
-  for (const std::string& name : find_children(group)) {
-    if (name == kTimeName) continue;
-    const Hdf5Handle dataset = open_dataset(group, name);
-    stage.channels.push_back({name, read_text_attribute(dataset, "symbol"), read_unit(dataset),
-                              read_text_attribute(dataset, "description")});
-  }
-  stage.values.resize(stage.channels.size());
 }
 
 void read_statistics(const Hdf5Handle& node, StageRecord& stage) {
@@ -100,7 +85,8 @@ StageRecord read_stage_outline(const Hdf5Handle& stages, const std::string& name
   stage.message = read_text(node, "message");
   stage.cycles = read_cycles(node);
   read_reals(node, stage, kStageReals);
-  read_channel_list(node, stage);
+  stage.channels = read_channel_list(node);
+  stage.values.resize(stage.channels.size());
   read_statistics(node, stage);
   read_wear(node, stage);
   read_events(node, stage);
@@ -111,17 +97,13 @@ StageRecord read_stage_outline(const Hdf5Handle& stages, const std::string& name
 }
 
 void read_stage_time(const Hdf5Handle& stages, StageRecord& stage) {
-  const Hdf5Handle node = open_group(stages, stage.name);
-  const std::string name(kTimeName);
-  // Format 1 has it beside the channels.
-  stage.time = has_link(node, name) ? read_series(node, name) : read_series(open_group(node, "channels"), name);
+  stage.time = read_times(open_group(stages, stage.name));
   check_times(stage.time);
 }
 
 void read_stage_values(const Hdf5Handle& stages, StageRecord& stage, std::size_t k) {
-  const Hdf5Handle group = open_group(open_group(stages, stage.name), "channels");
   const std::string& name = stage.channels[k].name;
-  std::vector<double> values = read_series(group, name);
+  std::vector<double> values = read_channel(open_group(stages, stage.name), name);
   if (values.size() != stage.time.size()) {
     throw FileError(
         fmt::format("channel '{}' has {} samples where time has {}", name, values.size(), stage.time.size()));

@@ -10,12 +10,15 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/hdf5_node.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/run_tables.h"
+#include "gudgeon/io/stage_channels.h"
 #include "gudgeon/results/energy_balance.h"
 
 namespace gudgeon {
@@ -31,40 +34,6 @@ const char* find_status_name(StageStatus status) {
   return std::ranges::find(kStatusNames, status, &StatusName::status)->name;
 }
 
-void check_size(const SampleBlock& block) {
-  if (block.values.size() == block.channels.size()) return;
-  throw FileError(fmt::format("stage has {} channels but values of {}", block.channels.size(), block.values.size()));
-}
-
-void write_description(const Hdf5Handle& dataset, const std::string& description) {
-  write_text_attribute(dataset, "description", description);
-  write_text_attribute(dataset, "long_name", description);
-}
-
-/// time and channels, each series made by make(parent, name, its samples).
-template <class Make>
-void make_channels(const Hdf5Handle& node, const SampleBlock& block, Make make) {
-  check_size(block);
-  std::size_t longest = kTimeName.size();
-  for (const Channel& channel : block.channels) longest = std::max(longest, channel.name.size());
-  const Hdf5Handle group =
-      make_group(node, "channels", static_cast<unsigned>(block.channels.size() + 1), static_cast<unsigned>(longest));
-  {
-    const Hdf5Handle time = make(group, std::string(kTimeName), block.time);
-    write_unit(time, "s");
-    write_description(time, "time of each recorded sample");
-    make_scale(time, std::string(kTimeName));
-  }
-  for (std::size_t k = 0; k < block.channels.size(); ++k) {
-    const Channel& channel = block.channels[k];
-    const Hdf5Handle dataset = make(group, channel.name, std::span<const double>(block.values[k]));
-    write_unit(dataset, channel.unit);
-    write_text_attribute(dataset, "symbol", channel.symbol);
-    write_description(dataset, channel.description);
-    attach_scale(dataset, group, std::string(kTimeName));
-  }
-}
-
 SampleBlock find_samples(const StageRecord& stage) { return {stage.name, stage.channels, stage.time, stage.values}; }
 
 Hdf5Handle make_stage_group(const Hdf5Handle& stages, const std::string& name) {
@@ -73,10 +42,12 @@ Hdf5Handle make_stage_group(const Hdf5Handle& stages, const std::string& name) {
 }
 
 void write_statistics(const Hdf5Handle& node, const StageRecord& stage) {
+  std::unordered_map<std::string_view, const char*> units;
+  for (const Channel& channel : stage.channels) units.emplace(channel.name, channel.unit.c_str());
   std::vector<StatisticsRow> rows;
   for (const ChannelStatistics& s : stage.statistics) {
-    const auto channel = std::ranges::find(stage.channels, s.channel, &Channel::name);
-    const char* unit = channel == stage.channels.end() ? "" : channel->unit.c_str();
+    const auto channel = units.find(s.channel);
+    const char* unit = channel == units.end() ? "" : channel->second;
     rows.push_back({s.channel.c_str(), unit, s.minimum, s.minimum_time, s.maximum, s.maximum_time, s.mean, s.rms});
   }
   write_table(node, "statistics", kStatisticsShape, rows.data(), rows.size());
@@ -124,26 +95,24 @@ void write_findings(const Hdf5Handle& node, const StageRecord& stage) {
 
 void write_stage(const Hdf5Handle& stages, const StageRecord& stage) {
   const Hdf5Handle node = make_stage_group(stages, stage.name);
-  make_channels(node, find_samples(stage), write_series);
+  write_channels(node, find_samples(stage));
   write_findings(node, stage);
 }
 
 void begin_stage(const Hdf5Handle& stages, const SampleBlock& block) {
-  const Hdf5Handle node = make_stage_group(stages, std::string(block.stage));
-  const auto make = [&](const Hdf5Handle& parent, const std::string& name, std::span<const double>) {
-    return make_growing_series(parent, name, block.time.size());
-  };
-  make_channels(node, block, make);
-  extend_stage(stages, block);
+  begin_channels(make_stage_group(stages, std::string(block.stage)), block);
 }
 
 void extend_stage(const Hdf5Handle& stages, const SampleBlock& block) {
-  check_size(block);
-  const Hdf5Handle group = open_group(open_group(stages, std::string(block.stage)), "channels");
-  extend_series(group, std::string(kTimeName), block.time);
-  for (std::size_t k = 0; k < block.channels.size(); ++k) {
-    extend_series(group, block.channels[k].name, block.values[k]);
+  extend_channels(open_group(stages, std::string(block.stage)), block);
+}
+
+void reopen_stage(const Hdf5Handle& stages, const std::string& name, std::size_t n_samples) {
+  const Hdf5Handle stage = open_group(stages, name);
+  for (const std::string& member : find_members(stage)) {
+    if (member != "channels") remove_link(stage, member);
   }
+  cut_channels(stage, n_samples);
 }
 
 void end_stage(const Hdf5Handle& stages, const StageRecord& stage) {

@@ -4,6 +4,9 @@
 // One stage into the groups of a run file. Under an Hdf5Session.
 #pragma once
 
+#include <cstddef>
+#include <string>
+
 #include "gudgeon/io/hdf5_handle.h"
 #include "gudgeon/results/run_record.h"
 #include "gudgeon/results/sample_block.h"
@@ -18,5 +21,7 @@ void write_stage(const Hdf5Handle& stages, const StageRecord& stage);
 void begin_stage(const Hdf5Handle& stages, const SampleBlock& block);
 void extend_stage(const Hdf5Handle& stages, const SampleBlock& block);
 void end_stage(const Hdf5Handle& stages, const StageRecord& stage);
+/// Leaves of a stage that was ended nothing but its first samples: it can be extended and ended again.
+void reopen_stage(const Hdf5Handle& stages, const std::string& name, std::size_t n_samples);
 
 }  // namespace gudgeon

@@ -11,7 +11,7 @@ namespace gudgeon {
 
 namespace {
 
-constexpr std::size_t kLargestBlock = 32u << 20;  // [bytes] little beside what a program takes anyway
+constexpr std::size_t kLargestBlock = 96u << 20;  // [bytes] each block of a channel costs as much as its first
 constexpr std::size_t kFewestSamples = 256;       // fewer would be mostly the disk's and compression's overhead
 
 std::vector<std::string> select_names(const std::vector<RecordedChannel>& table, bool watched) {

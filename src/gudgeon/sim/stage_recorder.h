@@ -36,7 +36,7 @@ class StageRecorder {
   Energies find_energies(const Workspace& workspace);
 
   /// Hands over every so many samples as soon as they are there, instead of keeping them until the end; fewer where a
-  /// block would take more than some 30 MB. Nothing is allocated between two blocks.
+  /// block would take more than some 100 MB. Nothing is allocated between two blocks.
   void stream(std::size_t block_size, std::function<void(const SampleBlock&)> take);
 
   /// Makes room for so many samples.
