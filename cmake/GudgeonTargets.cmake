@@ -22,6 +22,15 @@ if(GUDGEON_SANITIZE)
   target_link_options(gudgeon_options INTERFACE -fsanitize=address,undefined)
   target_compile_definitions(gudgeon_options INTERFACE GUDGEON_SANITIZE)
 endif()
+if(GUDGEON_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "GUDGEON_FUZZ takes Clang: -DCMAKE_CXX_COMPILER=clang++")
+  endif()
+  target_compile_options(gudgeon_options INTERFACE
+    -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+  target_link_options(gudgeon_options INTERFACE -fsanitize=address,undefined)
+  target_compile_definitions(gudgeon_options INTERFACE GUDGEON_SANITIZE)
+endif()
 
 # What only drives the engine, the program, the tests and the floors that are UNHURRIED, is not optimized under
 # sanitizers: optimizing it takes longer than it saves. The floors that do the arithmetic are.
