@@ -178,14 +178,19 @@ int run_cases(std::vector<CaseRun>& cases, const ReadCase& read_case, int n_thre
   std::vector<std::jthread> threads;
   const std::string trouble = add_threads(threads, std::min(2 * n_threads - 1, n_cases), work);
   if (!trouble.empty()) display.write_note(trouble);
-  while (n_done.load() < n_cases) {
-    if (interruption.signal() != 0 && stop.request_stop()) {
-      display.write_note(interruption.signal() == SIGINT
-                             ? "stopping at the next step; once more ends at once"
-                             : "stopping at the next step; SIGTERM once more after 2 s, or Ctrl-C, ends at once");
+  try {
+    while (n_done.load() < n_cases) {
+      if (interruption.signal() != 0 && stop.request_stop()) {
+        display.write_note(interruption.signal() == SIGINT
+                               ? "stopping at the next step; once more ends at once"
+                               : "stopping at the next step; SIGTERM once more after 2 s, or Ctrl-C, ends at once");
+      }
+      display.refresh();
+      std::this_thread::sleep_for(kRefreshInterval);
     }
-    display.refresh();
-    std::this_thread::sleep_for(kRefreshInterval);
+  } catch (const std::bad_alloc&) {
+    stop.request_stop();  // or the threads, which are waited for, would run all cases first
+    throw;
   }
   threads.clear();
   display.refresh();
