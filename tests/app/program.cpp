@@ -68,6 +68,11 @@ double RunningProgram::find_peak_memory() const {
   return at == std::string::npos ? 0.0 : 1024.0 * std::stod(status.substr(at + 6));
 }
 
+bool RunningProgram::has_ended() const {
+  siginfo_t state{};
+  return ::waitid(P_PID, static_cast<id_t>(process_), &state, WEXITED | WNOHANG | WNOWAIT) == 0 && state.si_pid != 0;
+}
+
 Outcome RunningProgram::wait() {
   int status = 0;
   ::waitpid(process_, &status, 0);

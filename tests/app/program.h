@@ -43,6 +43,7 @@ class RunningProgram {
   void send(int signal) const;
   /// [bytes] of memory that it has held at most.
   [[nodiscard]] double find_peak_memory() const;
+  [[nodiscard]] bool has_ended() const;
   /// Waits for its end.
   Outcome wait();
 

@@ -257,5 +257,24 @@ TEST(RunStudy, ASingularStartIsAnErrorOfTheModel) {
   EXPECT_FALSE(called);
 }
 
+// Neither what a stage runs on nor the stage is made.
+TEST(RunStudy, AStopBetweenTwoStagesEndsBeforeTheNext) {
+  std::stop_source source;
+  std::vector<std::string> begun;
+  RunHooks hooks;
+  hooks.stop = source.get_token();
+  hooks.progress = [&](const Progress& at) {
+    if (at.fraction == 0.0) begun.emplace_back(at.stage);
+  };
+  hooks.stage_finished = [&](const StageRecord& stage) {
+    if (stage.name == "no_wear") source.request_stop();
+  };
+  const auto stages = run_study(oracle::make_nine_bar(), make_study(2), hooks);
+  EXPECT_THAT(begun, ElementsAre("ideal", "no_wear"));
+  ASSERT_THAT(find_names(stages), ElementsAre("ideal", "no_wear", "wear_1"));
+  EXPECT_EQ(stages[2].status, StageStatus::stopped);
+  EXPECT_EQ(stages[2].message, "stopped on request before it began");
+}
+
 }  // namespace
 }  // namespace gudgeon

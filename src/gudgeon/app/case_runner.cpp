@@ -16,6 +16,8 @@
 #include <utility>
 
 #include "gudgeon/analysis/energy_audit.h"
+#include "gudgeon/app/case_checkpoints.h"
+#include "gudgeon/app/checkpoint_clock.h"
 #include "gudgeon/app/interruption.h"
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/explain.h"
@@ -57,9 +59,8 @@ void update_outcome(CaseRun& one, const StageRecord& stage) {
   add_message(one, stage, stage.message);
 }
 
-/// The stages that the case's file holds as finished, without their samples; FileError when it is not of this model and
-/// program.
-std::vector<StageRecord> read_finished_stages(const CaseRun& one, const RunRecord& header) {
+/// What the case's file holds, without samples; FileError when it is not of this model and program.
+RunRecord read_earlier_run(const CaseRun& one, const RunRecord& header) {
   if (!std::filesystem::exists(one.file)) return {};
   RunRecord earlier = read_run_outline(one.file);
   if (earlier.explained != header.explained || earlier.program_version != header.program_version) {
@@ -69,35 +70,58 @@ std::vector<StageRecord> read_finished_stages(const CaseRun& one, const RunRecor
                     one.file.string()));
   }
   require_sound(one.file);
-  std::erase_if(earlier.stages, [](const StageRecord& stage) { return stage.status != StageStatus::finished; });
-  return std::move(earlier.stages);
+  return earlier;
 }
 
-void run_stages(CaseRun& one, const ModelFile& model, int index, Existing existing, const std::stop_token& stop,
-                ProgressDisplay& display, CaseTurns& turns) {
+/// What a case shares with all others that run.
+struct Surroundings {
+  std::stop_token stop;
+  ProgressDisplay& display;
+  CaseTurns& turns;
+};
+
+void run_stages(CaseRun& one, const ModelFile& model, int index, Existing existing, CheckpointClock& clock,
+                const Surroundings& around) {
   const RunRecord header = make_header(one.name, model);
+  CaseCheckpoints checkpoints(
+      one.file, header, [&](std::string_view line, bool is_trouble) { around.display.tell(index, line, is_trouble); });
   std::vector<StageRecord> finished;
-  if (existing == Existing::resume) finished = read_finished_stages(one, header);
+  if (existing == Existing::resume) {
+    RunRecord earlier = read_earlier_run(one, header);
+    checkpoints.read(earlier);
+    finished = std::move(earlier.stages);
+    std::erase_if(finished, [](const StageRecord& stage) { return stage.status != StageStatus::finished; });
+  }
   std::vector<std::string> kept;
   for (const StageRecord& stage : finished) {
     kept.push_back(stage.name);
     update_outcome(one, stage);
   }
-  RunWriter writer(one.file, header, existing != Existing::refuse, kept);
+  const std::optional<StageUnderWay> under_way = checkpoints.find_stage_under_way();
+  RunWriter writer(one.file, header, existing != Existing::refuse, kept, under_way ? &*under_way : nullptr);
   one.is_written = true;
+  checkpoints.begin(writer);
   RunHooks hooks;
-  hooks.stop = stop;
+  hooks.stop = around.stop;
   hooks.progress = [&](const Progress& progress) {
-    display.update(index, progress);
+    around.display.update(index, progress);
     // A stage that is done is written before another case goes on.
-    if (progress.fraction < 1.0) turns.pass(index, progress.share());
+    if (progress.fraction < 1.0) around.turns.pass(index, progress.share());
   };
   hooks.samples = [&](const SampleBlock& block) { writer.append(block); };
   hooks.stage_finished = [&](const StageRecord& stage) {
     writer.append(stage);
+    checkpoints.note_stage(stage);
     update_outcome(one, stage);
   };
-  run_study(model.mechanism, model.study, hooks, std::move(finished));
+  hooks.checkpoint = [&](const Checkpoint& checkpoint) {
+    const double began = CheckpointClock::read();
+    checkpoints.write(checkpoint, writer);
+    clock.note_written(began, CheckpointClock::read());
+  };
+  hooks.checkpoint_wanted = &clock.wanted();
+  clock.note_written(CheckpointClock::read(), CheckpointClock::read());  // what was read is as good as written
+  run_study(model.mechanism, model.study, hooks, std::move(finished), checkpoints.take());
 }
 
 /// How a case ended, in a word or two for the progress display.
@@ -108,16 +132,16 @@ std::string_view name_outcome(ExitCode code) {
 }
 
 /// Every failure of a case ends here: an exception may not leave its thread.
-void run_case(CaseRun& one, const ReadCase& read_case, int index, Existing existing, const std::stop_token& stop,
-              ProgressDisplay& display, CaseTurns& turns) {
-  display.begin(index);
+void run_case(CaseRun& one, const ReadCase& read_case, int index, Existing existing, CheckpointClock& clock,
+              const Surroundings& around) {
+  around.display.begin(index);
   SourceMap source;
   try {
     const ModelFile model = read_case(one.name);
     source = model.source;
     if (model.diagnostics.has_errors()) throw ModelError(model.diagnostics);
     one.published = model.study.published;
-    run_stages(one, model, index, existing, stop, display, turns);
+    run_stages(one, model, index, existing, clock, around);
   } catch (const ModelError& error) {
     one.code = ExitCode::model;
     one.message = render(error.diagnostics(), source);
@@ -131,7 +155,7 @@ void run_case(CaseRun& one, const ReadCase& read_case, int index, Existing exist
     one.code = ExitCode::numerical;
     one.message = error.what();
   }
-  display.finish(index, name_outcome(one.code));
+  around.display.finish(index, name_outcome(one.code));
 }
 
 /// Starts that many threads, or as many as there may be: then it says so. NumericalError when there may be none.
@@ -154,13 +178,15 @@ std::string add_threads(std::vector<std::jthread>& threads, int count, const std
 }  // namespace
 
 int run_cases(std::vector<CaseRun>& cases, const ReadCase& read_case, int n_threads, Existing existing,
-              ProgressDisplay& display) {
+              double checkpoint_interval, ProgressDisplay& display) {
   const Interruption interruption;
   std::stop_source stop;
   std::atomic<int> next = 0;
   std::atomic<int> n_done = 0;
   const int n_cases = static_cast<int>(cases.size());
   CaseTurns turns(n_cases, n_threads);
+  const Surroundings around{stop.get_token(), display, turns};
+  std::vector<CheckpointClock> clocks(cases.size());
   const auto work = [&] {
     for (int i = next++; i < n_cases; i = next++) {
       turns.wait(i);
@@ -168,7 +194,8 @@ int run_cases(std::vector<CaseRun>& cases, const ReadCase& read_case, int n_thre
         cases[i].code = ExitCode::interrupted;
         cases[i].message = "not started";
       } else {
-        run_case(cases[i], read_case, i, existing, stop.get_token(), display, turns);
+        clocks[i].begin(CheckpointClock::read(), checkpoint_interval);
+        run_case(cases[i], read_case, i, existing, clocks[i], around);
       }
       turns.end(i);
       n_done.fetch_add(1);
@@ -180,6 +207,7 @@ int run_cases(std::vector<CaseRun>& cases, const ReadCase& read_case, int n_thre
   if (!trouble.empty()) display.write_note(trouble);
   try {
     while (n_done.load() < n_cases) {
+      for (CheckpointClock& clock : clocks) clock.tick(CheckpointClock::read());
       if (interruption.signal() != 0 && stop.request_stop()) {
         display.write_note(interruption.signal() == SIGINT
                                ? "stopping at the next step; once more ends at once"

@@ -29,15 +29,16 @@ struct CaseRun {
 enum class Existing {
   refuse,   ///< nothing is computed
   replace,  ///< the case is run anew
-  resume,   ///< the case goes on after the last stage that its file holds as finished
+  resume,   ///< the case goes on from its checkpoint, or after the last stage that its file holds as finished
 };
 
 /// Makes the model of a case, "base" or one of the file's; called from several threads. Its errors end that case alone.
 using ReadCase = std::function<ModelFile(const std::string& name)>;
 
 /// Runs all cases on that many threads. A case that fails leaves the others alone. Results do not depend on the
-/// number of threads. A first SIGINT or SIGTERM stops every case at its next step; returns that signal, or 0.
+/// number of threads. Every checkpoint_interval [s] each case saves the stage under way. A first SIGINT or SIGTERM
+/// stops every case at its next step; returns that signal, or 0.
 int run_cases(std::vector<CaseRun>& cases, const ReadCase& read_case, int n_threads, Existing existing,
-              ProgressDisplay& display);
+              double checkpoint_interval, ProgressDisplay& display);
 
 }  // namespace gudgeon

@@ -80,7 +80,18 @@ void ProgressDisplay::finish(int index, std::string_view outcome) {
   const std::lock_guard lock(mutex_);
   CaseProgress& one = cases_[index];
   one.is_running = false;
-  one.outcome = fmt::format("{}: {} after {}\n", one.name, outcome, render_duration(find_seconds(one.start)));
+  one.outcome += fmt::format("{}: {} after {}\n", one.name, outcome, render_duration(find_seconds(one.start)));
+}
+
+void ProgressDisplay::tell(int index, std::string_view line, bool is_trouble) {
+  const std::lock_guard lock(mutex_);
+  CaseProgress& one = cases_[index];
+  const std::string text = fmt::format("{}: {}\n", one.name, line);
+  if (style_ != ProgressStyle::silent) {
+    one.outcome += text;
+  } else if (is_trouble) {
+    write_stderr("gudgeon: case " + text);
+  }
 }
 
 void ProgressDisplay::add_message(std::string text) {

@@ -27,6 +27,8 @@ class ProgressDisplay {
   void begin(int index);
   void update(int index, const Progress& progress);
   void finish(int index, std::string_view outcome);
+  /// A line about the case; one that tells of trouble is written whatever the style.
+  void tell(int index, std::string_view line, bool is_trouble);
 
   /// A message that waits to be shown among the outcomes; from any thread.
   void add_message(std::string text);
@@ -45,7 +47,7 @@ class ProgressDisplay {
     int n_stages = 1;
     double fraction = 0.0;
     bool is_running = false;
-    std::string outcome;      ///< waits to be shown; empty otherwise
+    std::string outcome;      ///< lines that wait to be shown; empty otherwise
     std::string shown_stage;  ///< of the last line written
     Clock::time_point start;
     Clock::time_point stage_start;

@@ -37,6 +37,7 @@ struct RunOptions {
   int n_threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   bool overwrite = false;
   bool resume = false;
+  double checkpoint_interval = 60.0;  // [s]
   bool quiet = false;
   bool report = false;
 };
@@ -167,7 +168,8 @@ ExitCode run_run(const RunOptions& options) {
   std::signal(SIGPIPE, SIG_IGN);
   check.begin_rest([&display](const std::string& text) { display.add_message(text); });
   const int signal = run_cases(
-      cases, [&](const std::string& name) { return check.take(name); }, options.n_threads, existing, display);
+      cases, [&](const std::string& name) { return check.take(name); }, options.n_threads, existing,
+      options.checkpoint_interval, display);
   check.end_rest();
   print_results(cases, options.quiet);
   const ExitCode code = find_exit_code(cases, signal);
@@ -191,8 +193,14 @@ void add_run_command(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   CLI::Option* overwrite = command->add_flag("--overwrite", options->overwrite, "Replace existing run files");
-  command->add_flag("--resume", options->resume, "Go on after the stages that existing run files hold as finished")
+  command->add_flag("--resume", options->resume, "Go on from the last checkpoint, or after the last finished stage")
       ->excludes(overwrite);
+  command
+      ->add_option("--checkpoint-interval", options->checkpoint_interval,
+                   "Seconds between two checkpoints of a stage, from which --resume goes on")
+      ->type_name("S")
+      ->check(CLI::Range(0.1, 1e9))
+      ->capture_default_str();
   command->add_flag("--report", options->report, "Also write the report of the directory, report.html");
   command->add_flag("--quiet", options->quiet, "Print only the paths written and what went wrong");
   command->footer(

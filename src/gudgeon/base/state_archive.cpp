@@ -47,6 +47,16 @@ void StateArchive::require_text(std::string_view text) {
   if (saved != text) refuse();
 }
 
+void StateArchive::text(std::string& value) {
+  std::size_t n = value.size();
+  transfer(n);
+  if (is_loading_) {
+    if (n > left()) refuse();
+    value.resize(n);
+  }
+  copy(value.data(), n);
+}
+
 void StateArchive::expect_end() const {
   if (!source_.empty()) refuse();
 }

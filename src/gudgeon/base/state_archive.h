@@ -45,6 +45,8 @@ class StateArchive {
     }
     copy(values.data(), n * sizeof(T));
   }
+  /// A text of any length.
+  void text(std::string& value);
   /// A number that must be the same in both: FileError when it is not.
   template <class T>
   void require(const T& value) {

@@ -78,11 +78,12 @@ class StudyRunner {
   std::vector<StageRecord> run() {
     // A mechanism without clearance is its own ideal.
     if (runs_ideal_) {
-      if (!run_stage(compile(make_ideal(mechanism_), ideal_assembly_), ideal_assembly_, "ideal")) {
+      if (is_stopped_before("ideal") ||
+          !run_stage(compile(make_ideal(mechanism_), ideal_assembly_), ideal_assembly_, "ideal")) {
         return std::move(stages_);
       }
     }
-    if (!has_clearance_) return std::move(stages_);
+    if (!has_clearance_ || is_stopped_before(stage_name(0))) return std::move(stages_);
     System system = compile(mechanism_, assembly_);
     for (int wear_updates = 0; wear_updates <= study_.wear_stages; ++wear_updates) {
       if (!run_stage(system, assembly_, stage_name(wear_updates))) break;
@@ -91,6 +92,7 @@ class StudyRunner {
         fail_stage(stage_name(wear_updates + 1), worn_through);
         break;
       }
+      if (is_stopped_before(stage_name(wear_updates + 1))) break;
       rebuild_surfaces(system, stages_.back(), study_.magnification);
     }
     return std::move(stages_);
@@ -125,13 +127,24 @@ class StudyRunner {
     return stages_.back().status == StageStatus::finished;
   }
 
+  // What a stage needs is not made any more; of hundreds of bodies it would take a second.
+  bool is_stopped_before(const std::string& name) {
+    if (!hooks_.stop.stop_requested() || stages_.size() < finished_.size() || checkpoint_) return false;
+    end_stage(name, StageStatus::stopped, "stopped on request before it began");
+    return true;
+  }
+
   // A stage that cannot be run is told like one that could not go on.
   void fail_stage(const std::string& name, const std::string& reason) {
+    end_stage(name, StageStatus::failed, fmt::format("E-NUM-004: {}; lower study.magnification", reason));
+  }
+
+  void end_stage(const std::string& name, StageStatus status, std::string message) {
     StageRecord stage;
     stage.name = name;
-    stage.status = StageStatus::failed;
+    stage.status = status;
     stage.cycle_time = cycle_time_;
-    stage.message = fmt::format("E-NUM-004: {}; lower study.magnification", reason);
+    stage.message = std::move(message);
     stages_.push_back(std::move(stage));
     if (hooks_.stage_finished) hooks_.stage_finished(stages_.back());
   }
