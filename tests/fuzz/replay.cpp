@@ -1,75 +1,125 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// replay DIRECTORY...: gives a target every file of the directories, and of each some that are cut off or changed, the
-// same at every run. For compilers without libFuzzer, and as a test.
+// replay [--mutations N] [--seed S] DIRECTORY...: gives a target every file of the directories, and N changed copies of
+// each (100 by default), the same at every run. For compilers without libFuzzer, and as a test. An input that breaks
+// the target is left beside the program as PROGRAM.broken.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
-#include <cstdint>
+#include <array>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <vector>
+#include <string>
 
+#include "tests/fuzz/mutation.h"
 #include "tests/fuzz/target.h"
+#ifdef GUDGEON_SANITIZE
+#include <sanitizer/common_interface_defs.h>
+#endif
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using gudgeon::fuzz::Bytes;
+using gudgeon::fuzz::Numbers;
 
-/// A generator of numbers after Knuth: the same on every machine.
-class Numbers {
- public:
-  std::size_t next(std::size_t below) {
-    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<std::size_t>(state_ >> 33U) % below;
+// What is being tried, for the moment when it breaks the target; plain data, as a signal handler may read them.
+const std::uint8_t* tried_bytes = nullptr;
+std::size_t tried_size = 0;
+std::array<char, 4096> broken_path{};
+
+void keep_broken_input() {
+  const int file = ::open(broken_path.data(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  if (file < 0) return;
+  const bool kept = ::write(file, tried_bytes, tried_size) == static_cast<ssize_t>(tried_size);
+  ::close(file);
+  constexpr std::array texts{"replay: the input was not kept in ", "replay: the input is kept in "};
+  for (const char* text : {texts[kept ? 1 : 0], static_cast<const char*>(broken_path.data()), "\n"}) {
+    if (::write(STDERR_FILENO, text, std::strlen(text)) < 0) return;
   }
+}
 
- private:
-  std::uint64_t state_ = 1;
-};
+extern "C" void keep_and_end(int signal_number) {
+  keep_broken_input();
+  std::signal(signal_number, SIG_DFL);
+  std::raise(signal_number);
+}
 
-void run(const Bytes& bytes) { LLVMFuzzerTestOneInput(bytes.data(), bytes.size()); }
+void watch_for_breaks(const char* program) {
+  std::snprintf(broken_path.data(), broken_path.size(), "%s.broken", program);
+  std::remove(broken_path.data());
+#ifdef GUDGEON_SANITIZE
+  __sanitizer_set_death_callback(keep_broken_input);  // the sanitizers tell of the other signals themselves
+  std::signal(SIGABRT, keep_and_end);
+#else
+  static std::array<char, 65536> stack;  // the target's own may be what overflowed
+  stack_t alternative{};
+  alternative.ss_sp = stack.data();
+  alternative.ss_size = stack.size();
+  ::sigaltstack(&alternative, nullptr);
+  struct sigaction action {};
+  action.sa_handler = keep_and_end;
+  action.sa_flags = SA_ONSTACK;
+  for (const int signal_number : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE}) ::sigaction(signal_number, &action, nullptr);
+#endif
+}
 
-int run_variants(const Bytes& bytes) {
-  constexpr int kVariants = 100;
-  run(bytes);
-  if (bytes.empty()) return 1;
-  Numbers numbers;
-  for (int k = 0; k < kVariants; ++k) {
-    Bytes changed = bytes;
-    const std::size_t at = numbers.next(bytes.size());
-    if (k % 4 == 0) {
-      changed.resize(at);
-    } else if (k % 4 == 1) {  // a piece twice
-      const std::size_t length = std::min<std::size_t>(numbers.next(64), bytes.size() - at);
-      changed.insert(changed.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin() + static_cast<std::ptrdiff_t>(at),
-                     bytes.begin() + static_cast<std::ptrdiff_t>(at + length));
-    } else {
-      changed[at] = static_cast<std::uint8_t>(k % 4 == 2 ? changed[at] ^ (1U << numbers.next(8)) : numbers.next(256));
-    }
-    run(changed);
+void run(const Bytes& bytes) {
+  tried_bytes = bytes.data();
+  tried_size = bytes.size();
+  LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+}
+
+std::vector<Bytes> read_files(const char* directory) {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
+    if (entry.is_regular_file()) paths.push_back(entry.path());
   }
-  return kVariants + 1;
+  std::ranges::sort(paths);
+  std::vector<Bytes> files;
+  for (const std::filesystem::path& path : paths) {
+    std::ifstream stream(path, std::ios::binary);
+    files.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  }
+  return files;
+}
+
+bool read_number(const char* text, std::uint64_t& number) {
+  const char* end = text + std::strlen(text);
+  return std::from_chars(text, end, number).ptr == end && text != end;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  int n_files = 0;
-  int n_inputs = 0;
+  std::uint64_t n_mutations = 100;
+  std::uint64_t seed = 1;
+  std::vector<Bytes> files;
   for (int k = 1; k < argc; ++k) {
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(argv[k])) {
-      if (entry.is_regular_file()) files.push_back(entry.path());
+    const std::string argument = argv[k];
+    if (argument == "--mutations" || argument == "--seed") {
+      if (k + 1 == argc || !read_number(argv[++k], argument == "--seed" ? seed : n_mutations)) {
+        std::fprintf(stderr, "replay: %s takes a whole number\n", argument.c_str());
+        return 2;
+      }
+      continue;
     }
-    std::ranges::sort(files);
-    for (const std::filesystem::path& file : files) {
-      std::ifstream stream(file, std::ios::binary);
-      n_inputs += run_variants(Bytes(std::istreambuf_iterator<char>(stream), {}));
-      ++n_files;
-    }
+    for (Bytes& file : read_files(argv[k])) files.push_back(std::move(file));
   }
-  std::printf("%d inputs from %d files\n", n_inputs, n_files);
-  return n_files > 0 ? 0 : 1;
+  watch_for_breaks(argv[0]);
+  Numbers numbers(seed);
+  std::size_t n_inputs = 0;
+  for (const Bytes& file : files) {
+    run(file);
+    for (std::uint64_t k = 0; k < n_mutations; ++k) run(mutate(file, files[numbers.next(files.size())], numbers));
+    n_inputs += 1 + n_mutations;
+  }
+  std::printf("%zu inputs from %zu files\n", n_inputs, files.size());
+  return files.empty() ? 1 : 0;
 }
