@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Installs the Debian packages that gudgeon is built and tested with, those that are missing. Needs root or sudo only for that.
+# setup.sh --all also installs the tools that tests read run files with (tests/outside/tools.sh).
 set -euo pipefail
 
 packages=(
@@ -13,6 +14,13 @@ packages=(
   clang libclang-rt-dev
   chromium fonts-dejavu-core librsvg2-bin
 )
+
+if [[ "${1:-}" == --all ]]; then
+  packages+=(
+    hdf5-tools netcdf-bin python3-h5py python3-pandas python3-xarray python3-netcdf4 python3-h5netcdf
+    octave r-base-core r-bioc-rhdf5 r-cran-hdf5r scilab-cli veusz
+  )
+fi
 
 # Node.js bundles the report's page. One that is there already, wherever it came from, is as good as Debian's.
 has_node() {

@@ -56,11 +56,11 @@ TEST(CsvExport, WearHasTheMiddleOfEachRegion) {
   const auto lines = split_lines(read_text_file(scratch / "no_wear_wear.csv"));
   ASSERT_EQ(lines.size(), 1 + test::kRegions);
   EXPECT_EQ(lines[0],
-            "joint,surface,angle [rad],position [m],bearing_depth [m],journal_depth [m],bearing_depth_added "
+            "surface,angle [rad],position [m],bearing_depth [m],journal_depth [m],bearing_depth_added "
             "[m],journal_depth_added [m],"
-            "total_depth_added [m]");
-  EXPECT_EQ(lines[1].substr(0, 25), "A,0,0.031415926535897934,");
-  EXPECT_THAT(lines[98], testing::EndsWith(",4e-06"));
+            "total_depth_added [m],joint");
+  EXPECT_EQ(lines[1].substr(0, 23), "0,0.031415926535897934,");
+  EXPECT_THAT(lines[98], testing::EndsWith(",4e-06,A"));
 }
 
 TEST(CsvExport, EventsStatisticsAndEnergy) {
@@ -69,16 +69,31 @@ TEST(CsvExport, EventsStatisticsAndEnergy) {
   run.stages[1].wear[0].joint = "A, \"left\"";
   export_csv(run, scratch.path(), false);
   EXPECT_EQ(split_lines(read_text_file(scratch / "no_wear_events.csv"))[1],
-            "\"A, \"\"left\"\"\",0.05,0.5,0.12,-1,2000,0,0");
+            "0.05,0.5,0.12,-1,2000,0,0,\"A, \"\"left\"\"\"");
   EXPECT_EQ(split_lines(read_text_file(scratch / "no_wear_statistics.csv"))[4],
-            "A.normal_force,N,0,0,2000,0.05,20,120");
+            "0,0,2000,0.05,20,120,A.normal_force,N");
   const auto energy = split_lines(read_text_file(scratch / "ideal_energy.csv"));
-  EXPECT_EQ(energy[0], "term,value [J]");
-  EXPECT_EQ(energy[5], "driver_work,12");
-  EXPECT_EQ(energy[6], "load_work,-2.5");
-  EXPECT_EQ(energy[7], "damper_loss,1.75");
-  EXPECT_EQ(energy[energy.size() - 2], "residual,0");
-  EXPECT_THAT(energy.back(), testing::StartsWith("allowed_residual,2.35"));  // 1e-6 (23.25 + 0.2 · 1.5) J
+  EXPECT_EQ(energy[0], "value [J],term");
+  EXPECT_EQ(energy[5], "12,driver_work");
+  EXPECT_EQ(energy[6], "-2.5,load_work");
+  EXPECT_EQ(energy[7], "1.75,damper_loss");
+  EXPECT_EQ(energy[energy.size() - 2], "0,residual");
+  EXPECT_THAT(energy.back(), testing::MatchesRegex("2.35.*,allowed_residual"));  // 1e-6 (23.25 + 0.2 · 1.5) J
+}
+
+TEST(CsvExport, UnitsDecimationAndDecimalComma) {
+  const ScratchDirectory scratch;
+  const CsvOptions options{100, {{"m", "mm", 1e-3}, {"N", "kN", 1e3}, {"J", "kJ", 1e3}}, true};
+  export_csv(make_run(), scratch.path(), false, options);
+  const auto channels = split_lines(read_text_file(scratch / "no_wear_channels.csv"));
+  ASSERT_EQ(channels.size(), 1u + 3u);  // samples 0, 100 and 200
+  EXPECT_THAT(channels[0], testing::StartsWith("time [s];slider.x [mm];slider.x_velocity [m/s];"));
+  EXPECT_THAT(channels[1], testing::StartsWith("0;0,2;"));  // the lag of 0.2 mm
+  EXPECT_THAT(channels[2], testing::StartsWith("1;"));
+  EXPECT_EQ(split_lines(read_text_file(scratch / "no_wear_statistics.csv"))[4],
+            "0;0;2;0,05;0,02;0,12;A.normal_force;kN");
+  EXPECT_EQ(split_lines(read_text_file(scratch / "ideal_energy.csv"))[5], "0,012;driver_work");
+  EXPECT_EQ(split_lines(read_text_file(scratch / "no_wear_events.csv"))[2], "0,7;0,005;0,3;2;1;-20;3;A");
 }
 
 TEST(CsvExport, OutlineAndShortSeriesGiveEmptyCells) {

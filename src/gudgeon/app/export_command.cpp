@@ -6,10 +6,18 @@
 
 #include <fmt/format.h>
 
+#include <fnmatch.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <variant>
+#include <vector>
 
+#include "gudgeon/app/command_line.h"
 #include "gudgeon/app/text_output.h"
+#include "gudgeon/base/quantity.h"
 #include "gudgeon/io/csv_export.h"
 #include "gudgeon/io/run_reader.h"
 
@@ -19,12 +27,73 @@ namespace {
 struct ExportOptions {
   std::filesystem::path file;
   std::filesystem::path directory;
+  std::vector<std::string> channels;
+  std::vector<std::string> stages;
+  std::vector<std::string> units;
+  CsvOptions csv;
   bool overwrite = false;
 };
 
-ExitCode run_export(const ExportOptions& options) {
-  for (const std::filesystem::path& path : export_csv(read_run(options.file), options.directory, options.overwrite)) {
-    write_receipt(fmt::format("{}\n", path.string()));
+CsvUnit read_unit(const std::string& text) {
+  const std::variant<Quantity, QuantityError> one = parse_quantity("1 " + text);
+  if (const auto* error = std::get_if<QuantityError>(&one)) {
+    throw UsageError(fmt::format("--unit {}: {}", text, error->message));
+  }
+  const auto& quantity = std::get<Quantity>(one);
+  // Energies and torques have one dimension and are told apart by what they are written in.
+  const bool is_energy = quantity.dimension == dimension::kTorque && text.find('J') != std::string::npos;
+  return {is_energy ? "J" : si_unit(quantity.dimension), text, quantity.value};
+}
+
+/// Leaves the stages that are asked for.
+void select_stages(RunRecord& run, const std::vector<std::string>& wanted) {
+  for (const std::string& name : wanted) {
+    if (find_stage(run, name) != nullptr) continue;
+    std::vector<std::string> names;
+    for (const StageRecord& stage : run.stages) names.push_back(stage.name);
+    throw UsageError(fmt::format("--stage {}: there is no such stage; there are {}", name, fmt::join(names, ", ")));
+  }
+  if (wanted.empty()) return;
+  std::erase_if(run.stages, [&](const StageRecord& s) { return std::ranges::find(wanted, s.name) == wanted.end(); });
+}
+
+/// The stage's channels that any of the patterns, as a shell has them, fits.
+std::vector<std::string> find_channels(const StageRecord& stage, const std::vector<std::string>& patterns) {
+  std::vector<std::string> names;
+  for (const Channel& channel : stage.channels) {
+    const bool fits = std::ranges::any_of(
+        patterns, [&](const std::string& pattern) { return ::fnmatch(pattern.c_str(), channel.name.c_str(), 0) == 0; });
+    if (fits || patterns.empty()) names.push_back(channel.name);
+  }
+  return names;
+}
+
+/// Reads only what is asked for.
+void read_samples(const ExportOptions& options, RunRecord& run) {
+  for (const std::string& pattern : options.channels) {
+    const bool fits = std::ranges::any_of(
+        run.stages, [&](const StageRecord& stage) { return !find_channels(stage, {pattern}).empty(); });
+    if (fits) continue;
+    throw UsageError(fmt::format("--channel {}: no channel has such a name; 'gudgeon info {}' lists them", pattern,
+                                 options.file.string()));
+  }
+  for (StageRecord& stage : run.stages) {
+    read_channels(options.file, stage, find_channels(stage, options.channels));
+    if (options.channels.empty()) continue;
+    std::erase_if(stage.statistics, [&](const ChannelStatistics& s) {
+      const std::vector<std::string> names = find_channels(stage, options.channels);
+      return std::ranges::find(names, s.channel) == names.end();
+    });
+  }
+}
+
+ExitCode run_export(ExportOptions& options) {
+  for (const std::string& unit : options.units) options.csv.units.push_back(read_unit(unit));
+  RunRecord run = read_run_outline(options.file);
+  select_stages(run, options.stages);
+  read_samples(options, run);
+  for (const auto& path : export_csv(run, options.directory, options.overwrite, options.csv)) {
+    write_stdout(fmt::format("{}\n", path.string()));
   }
   return ExitCode::done;
 }
@@ -36,8 +105,23 @@ void add_export_command(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("export", "Write a run file's channels and wear profiles as CSV");
   command->add_option("RUN", options->file, "Run file (HDF5)")->required();
   command->add_option("-o,--output", options->directory, "Directory to write to; it is made when missing")->required();
+  command->add_option("--channel", options->channels, "Only channels of that name, '*' for any text (may be repeated)")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command->add_option("--stage", options->stages, "Only that stage (may be repeated)")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command->add_option("--unit", options->units, "Values of its dimension in that unit, 'mm', 'deg' (may be repeated)")
+      ->type_name("UNIT")
+      ->allow_extra_args(false);
+  command->add_option("--every", options->csv.every, "One sample of so many")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40U));
+  command->add_flag("--decimal-comma", options->csv.decimal_comma, "0,5 instead of 0.5, and semicolons between cells");
   command->add_flag("--overwrite", options->overwrite, "Replace existing files");
-  command->footer("\nExample:\n  gudgeon export runs/press/base.h5 -o csv\n");
+  command->footer(
+      "\nExamples:\n  gudgeon export runs/press/base.h5 -o csv\n"
+      "  gudgeon export runs/press/base.h5 -o csv --channel 'A.*' --stage wear_1 --unit mm --unit deg --every 10\n");
   command->callback([options, &action] { action = [options] { return run_export(*options); }; });
 }
 

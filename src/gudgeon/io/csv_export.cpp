@@ -23,9 +23,11 @@ namespace {
 /// Grows a CSV text cell by cell.
 class CsvText {
  public:
+  explicit CsvText(const CsvOptions& options) : options_(options) {}
+
   void add(std::string_view cell) {
     start_cell();
-    if (cell.find_first_of(",\"\n\r") == std::string_view::npos) {
+    if (cell.find_first_of(",;\"\n\r") == std::string_view::npos) {
       text_ += cell;
       return;
     }
@@ -33,17 +35,34 @@ class CsvText {
     for (const char c : cell) text_ += c == '"' ? std::string("\"\"") : std::string(1, c);
     text_ += '"';
   }
-  void add(double value) {
-    start_cell();
-    fmt::format_to(std::back_inserter(text_), "{}", value);
+  /// A value in SI, and its unit there.
+  void add(double value, std::string_view unit) {
+    const CsvUnit* other = find_unit(unit);
+    add_number(other == nullptr ? value : value / other->in_si);
   }
+  void add_number(double value) {
+    start_cell();
+    const std::size_t start = text_.size();
+    fmt::format_to(std::back_inserter(text_), "{}", value);
+    if (options_.decimal_comma) std::replace(text_.begin() + static_cast<std::ptrdiff_t>(start), text_.end(), '.', ',');
+  }
+  void add_empty() { start_cell(); }
   /// Value i of a series, or nothing where the series is shorter.
-  void add(const std::vector<double>& series, std::size_t i) {
+  void add(const std::vector<double>& series, std::size_t i, std::string_view unit) {
     if (i < series.size()) {
-      add(series[i]);
+      add(series[i], unit);
     } else {
-      start_cell();
+      add_empty();
     }
+  }
+  /// "bearing_depth [m]"
+  void add_heading(std::string_view name, std::string_view unit) {
+    const std::string_view told = name_unit(unit);
+    add(told.empty() ? std::string(name) : fmt::format("{} [{}]", name, told));
+  }
+  [[nodiscard]] std::string_view name_unit(std::string_view unit) const {
+    const CsvUnit* other = find_unit(unit);
+    return other == nullptr ? unit : std::string_view(other->text);
   }
   void end_row() {
     text_ += '\n';
@@ -52,51 +71,70 @@ class CsvText {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
+  [[nodiscard]] const CsvUnit* find_unit(std::string_view si) const {
+    const auto found = std::ranges::find(options_.units, si, &CsvUnit::si);
+    return found == options_.units.end() ? nullptr : &*found;
+  }
   void start_cell() {
-    if (!row_is_empty_) text_ += ',';
+    if (!row_is_empty_) text_ += options_.decimal_comma ? ';' : ',';
     row_is_empty_ = false;
   }
+
+  const CsvOptions& options_;
   std::string text_;
   bool row_is_empty_ = true;
 };
 
-std::string name_column(std::string_view name, std::string_view unit) {
-  return unit.empty() ? std::string(name) : fmt::format("{} [{}]", name, unit);
-}
+struct Heading {
+  std::string_view name;
+  std::string_view unit;
+};
 
-CsvText make_header(std::initializer_list<std::string_view> columns) {
-  CsvText csv;
-  for (const std::string_view column : columns) csv.add(column);
+CsvText make_header(const CsvOptions& options, std::initializer_list<Heading> columns) {
+  CsvText csv(options);
+  for (const Heading& column : columns) csv.add_heading(column.name, column.unit);
   csv.end_row();
   return csv;
 }
 
-std::string make_channels(const StageRecord& stage) {
-  CsvText csv;
-  csv.add("time [s]");
-  std::vector<const std::vector<double>*> columns;
+std::string make_channels(const StageRecord& stage, const CsvOptions& options) {
+  CsvText csv(options);
+  csv.add_heading("time", "s");
+  std::vector<std::size_t> columns;
   for (std::size_t k = 0; k < stage.channels.size(); ++k) {
     if (k >= stage.values.size() || stage.values[k].empty()) continue;
-    csv.add(name_column(stage.channels[k].name, stage.channels[k].unit));
-    columns.push_back(&stage.values[k]);
+    csv.add_heading(stage.channels[k].name, stage.channels[k].unit);
+    columns.push_back(k);
   }
   csv.end_row();
-  for (std::size_t i = 0; i < stage.time.size(); ++i) {
-    csv.add(stage.time[i]);
-    for (const auto* column : columns) csv.add(*column, i);
+  for (std::size_t i = 0; i < stage.time.size(); i += options.every) {
+    csv.add(stage.time[i], "s");
+    for (const std::size_t k : columns) csv.add(stage.values[k], i, stage.channels[k].unit);
     csv.end_row();
   }
   return csv.text();
 }
 
-std::string make_statistics(const StageRecord& stage) {
-  CsvText csv =
-      make_header({"channel", "unit", "minimum", "minimum_time [s]", "maximum", "maximum_time [s]", "mean", "rms"});
+std::string make_statistics(const StageRecord& stage, const CsvOptions& options) {
+  CsvText csv = make_header(options, {{"minimum", ""},
+                                      {"minimum_time", "s"},
+                                      {"maximum", ""},
+                                      {"maximum_time", "s"},
+                                      {"mean", ""},
+                                      {"rms", ""},
+                                      {"channel", ""},
+                                      {"unit", ""}});
   for (const ChannelStatistics& s : stage.statistics) {
     const auto channel = std::ranges::find(stage.channels, s.channel, &Channel::name);
+    const std::string_view unit = channel == stage.channels.end() ? std::string_view() : channel->unit;
+    csv.add(s.minimum, unit);
+    csv.add(s.minimum_time, "s");
+    csv.add(s.maximum, unit);
+    csv.add(s.maximum_time, "s");
+    csv.add(s.mean, unit);
+    csv.add(s.rms, unit);
     csv.add(s.channel);
-    csv.add(channel == stage.channels.end() ? std::string_view() : channel->unit);
-    for (const double value : {s.minimum, s.minimum_time, s.maximum, s.maximum_time, s.mean, s.rms}) csv.add(value);
+    csv.add(csv.name_unit(unit));
     csv.end_row();
   }
   return csv.text();
@@ -114,67 +152,73 @@ std::size_t find_surface_count(const JointWear& wear, std::size_t n_rows) {
   return n == 0 ? 1 : n_rows / n;
 }
 
-std::string make_wear(const StageRecord& stage) {
-  CsvText csv;
-  csv.add("joint");
+std::string make_wear(const StageRecord& stage, const CsvOptions& options) {
+  CsvText csv(options);
   csv.add("surface");
-  csv.add("angle [rad]");
-  csv.add("position [m]");
-  for (const auto& field : kWearSeries) csv.add(name_column(field.name, field.unit));
+  csv.add_heading("angle", "rad");
+  csv.add_heading("position", "m");
+  for (const auto& field : kWearSeries) csv.add_heading(field.name, field.unit);
+  csv.add("joint");
   csv.end_row();
   for (const JointWear& wear : stage.wear) {
     // One row a region; the corners of a block have more surfaces than the sides of its slot.
     const std::size_t n_rows = find_row_count(wear);
     const std::size_t n = std::max<std::size_t>(1, n_rows / find_surface_count(wear, n_rows));
     for (std::size_t k = 0; k < n_rows; ++k) {
-      csv.add(wear.joint);
-      csv.add(static_cast<double>(k / n));
-      csv.add(find_region_angle(k % n, n));
+      csv.add_number(static_cast<double>(k / n));
+      csv.add(find_region_angle(k % n, n), "rad");
       if (wear.slot_length > 0.0) {
-        csv.add(find_region_position(k % n, n, wear.slot_length));
+        csv.add(find_region_position(k % n, n, wear.slot_length), "m");
       } else {
-        csv.add(std::string_view());
+        csv.add_empty();
       }
-      for (const auto& field : kWearSeries) csv.add(wear.*field.member, k);
+      for (const auto& field : kWearSeries) csv.add(wear.*field.member, k, field.unit);
+      csv.add(wear.joint);
       csv.end_row();
     }
   }
   return csv.text();
 }
 
-std::string make_events(const StageRecord& stage) {
-  CsvText csv = make_header({"joint", "onset_time [s]", "duration [s]", "onset_speed [m/s]", "angle [rad]",
-                             "peak_force [N]", "position [m]", "contact"});
+std::string make_events(const StageRecord& stage, const CsvOptions& options) {
+  CsvText csv = make_header(options, {{"onset_time", "s"},
+                                      {"duration", "s"},
+                                      {"onset_speed", "m/s"},
+                                      {"angle", "rad"},
+                                      {"peak_force", "N"},
+                                      {"position", "m"},
+                                      {"contact", ""},
+                                      {"joint", ""}});
   for (const ContactEvent& e : stage.events) {
+    csv.add(e.onset_time, "s");
+    csv.add(e.duration, "s");
+    csv.add(e.onset_speed, "m/s");
+    csv.add(e.angle, "rad");
+    csv.add(e.peak_force, "N");
+    csv.add(e.position, "m");
+    csv.add_number(e.contact);
     csv.add(stage.wear.at(static_cast<std::size_t>(e.joint)).joint);
-    for (const double value :
-         {e.onset_time, e.duration, e.onset_speed, e.angle, e.peak_force, e.position, double(e.contact)}) {
-      csv.add(value);
-    }
     csv.end_row();
   }
   return csv.text();
 }
 
-std::string make_energy(const StageRecord& stage) {
-  CsvText csv = make_header({"term", "value [J]"});
-  for (const auto& field : kEnergyReals) {
-    csv.add(field.name);
-    csv.add(stage.ledger.*field.member);
+std::string make_energy(const StageRecord& stage, const CsvOptions& options) {
+  CsvText csv = make_header(options, {{"value", "J"}, {"term", ""}});
+  const auto add = [&](std::string_view term, double value) {
+    csv.add(value, "J");
+    csv.add(term);
     csv.end_row();
-  }
-  csv.add("residual");
-  csv.add(stage.ledger.residual());
-  csv.end_row();
-  csv.add("allowed_residual");
-  csv.add(find_allowed_residual(stage.ledger));
-  csv.end_row();
+  };
+  for (const auto& field : kEnergyReals) add(field.name, stage.ledger.*field.member);
+  add("residual", stage.ledger.residual());
+  add("allowed_residual", find_allowed_residual(stage.ledger));
   return csv.text();
 }
 
 struct CsvFile {
   const char* ending;
-  std::string (*make)(const StageRecord&);
+  std::string (*make)(const StageRecord&, const CsvOptions&);
   bool needs_joints;
 };
 
@@ -206,14 +250,14 @@ void make_directory(const std::filesystem::path& directory) {
 }  // namespace
 
 std::vector<std::filesystem::path> export_csv(const RunRecord& run, const std::filesystem::path& directory,
-                                              bool overwrite) {
+                                              bool overwrite, const CsvOptions& options) {
   make_directory(directory);
   std::vector<std::filesystem::path> written;
   for_each_file(run, directory, [&](const std::filesystem::path& path, const StageRecord&, const CsvFile&) {
     check_target(path, overwrite);
   });
   for_each_file(run, directory, [&](const std::filesystem::path& path, const StageRecord& stage, const CsvFile& file) {
-    write_whole(path, file.make(stage));
+    write_whole(path, file.make(stage, options));
     written.push_back(path);
   });
   return written;
@@ -225,8 +269,8 @@ std::vector<std::filesystem::path> export_motion(const StageRecord& stage, const
   const std::vector<std::filesystem::path> paths{directory / (stage.name + "_channels.csv"),
                                                  directory / (stage.name + "_statistics.csv")};
   for (const std::filesystem::path& path : paths) check_target(path, overwrite);
-  write_whole(paths[0], make_channels(stage));
-  write_whole(paths[1], make_statistics(stage));
+  write_whole(paths[0], make_channels(stage, {}));
+  write_whole(paths[1], make_statistics(stage, {}));
   return paths;
 }
 
