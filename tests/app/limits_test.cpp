@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "tests/app/program.h"
+#include "tests/verification/book/record_fault.h"
 
 namespace gudgeon::test {
 namespace {
@@ -29,12 +30,15 @@ void expect_complete(const TemporaryFolder& folder) {
 
 // A file opened where standard error should be would be given its text.
 TEST(ClosedStreams, HarmNoRun) {
+  int n_tried = 0;
   for (const char* closed : {">&-", "2>&-", "<&-", ">&- 2>&-", "<&- >&- 2>&-"}) {
+    ++n_tried;
     const TemporaryFolder folder;
     const Outcome outcome = run_in_shell(folder, "exec \"$GUDGEON\" run " + kQuotedModel + " " + closed);
     EXPECT_EQ(outcome.exit_code, 0) << closed << outcome.err;
     expect_complete(folder);
   }
+  book::record_fault({"standard streams closed from the start", n_tried, HasFailure() ? 1 : 0, "runs"});
 }
 
 TEST(ClosedStreams, HarmNoFileOfOtherCommands) {

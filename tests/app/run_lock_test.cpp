@@ -17,6 +17,7 @@
 #include "gudgeon/io/run_reader.h"
 #include "tests/app/program.h"
 #include "tests/results/same_run.h"
+#include "tests/verification/book/record_fault.h"
 
 namespace gudgeon {
 namespace {
@@ -81,6 +82,7 @@ TEST(RunLock, OfTwoRunsIntoOneDirectoryOneIsRefused) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / directory / ".gudgeon.lock"));
   }
   EXPECT_GT(n_refused, kTrials / 3);
+  book::record_fault({"two runs into one directory, at different delays", kTrials, HasFailure() ? 1 : 0, "results"});
 }
 
 TEST(RunLock, CasesOfOneDirectoryRunSideBySide) {

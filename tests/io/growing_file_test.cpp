@@ -27,6 +27,7 @@
 #include "tests/io/image_file.h"
 #include "tests/io/scratch_directory.h"
 #include "tests/results/synthetic_run.h"
+#include "tests/verification/book/record_fault.h"
 
 namespace gudgeon {
 namespace {
@@ -304,8 +305,9 @@ TEST(GrowingFile, KillsOverAHundredStagesLoseNothing) {
   }
   EXPECT_GT(n_kills, 5);
   const RunRecord back = read_run(path);
-  for (std::size_t k = 0; k < run.stages.size(); ++k) EXPECT_EQ(back.stages[k].values, run.stages[k].values) << k;
-  RecordProperty("kills", n_kills);
+  int n_lost = 0;
+  for (std::size_t k = 0; k < run.stages.size(); ++k) n_lost += back.stages[k].values == run.stages[k].values ? 0 : 1;
+  book::record_fault({"kill at any moment while a hundred stages are written", n_kills, n_lost, "finished stages"});
 }
 
 /// [bytes] that this process handed to the system for writing.
