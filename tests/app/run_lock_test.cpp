@@ -30,7 +30,7 @@ using testing::HasSubstr;
 
 std::vector<std::string> make_arguments(const std::string& directory, std::initializer_list<std::string> more) {
   std::vector<std::string> arguments{"run",     GUDGEON_SOURCE_DIR "/tests/app/slider_crank.toml",
-                                     "--set",   "study.cycles=10",
+                                     "--set",   "study.cycles=1",
                                      "--set",   "study.wear_stages=1",
                                      "--set",   "study.compare_ideal=false",
                                      "--quiet", "-o",

@@ -221,6 +221,22 @@ TEST(Damage, ValuesInOtherFilesAreNotRead) {
               HasSubstr("dataset 'x' keeps its values in another file"));
 }
 
+TEST(Damage, GroupsThatLeadBackAreNamedOnce) {
+  const ScratchDirectory scratch;
+  write_run(scratch / "x.h5", make_small_run());
+  {
+    const Hdf5Session session;
+    const Hdf5Handle file =
+        check_id(H5Fopen((scratch / "x.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "cannot open", "x.h5");
+    const Hdf5Handle root = open_root(file);
+    const Hdf5Handle stage = open_group(open_group(root, "stages"), "wear_1");
+    check_status(H5Lcreate_hard(root.id(), "stages", stage.id(), "back", H5P_DEFAULT, H5P_DEFAULT), "cannot link", "");
+  }
+  const RunVerification found = verify_run(scratch / "x.h5");
+  ASSERT_EQ(found.troubles.size(), 1u);
+  EXPECT_EQ(found.troubles[0], "/stages/wear_1/back: the group has another name, too");
+}
+
 /// What reading says of a run that was changed before it was written.
 std::string read_impossible(const std::function<void(StageRecord& stage)>& change) {
   const ScratchDirectory scratch;

@@ -111,6 +111,8 @@ Commit record_commit(const ScratchDirectory& scratch) {
   }
   commit.after = test::read_text_file(path);
   journal.end = commit.after.size();
+  const std::string first = commit.before.substr(0, Hdf5Target::kPageSize);
+  std::ranges::copy(std::as_bytes(std::span(first)), journal.first_before.begin());
   for (std::size_t at = 0; at < commit.after.size(); at += Hdf5Target::kPageSize) {
     const std::string page = commit.after.substr(at, Hdf5Target::kPageSize);
     if (page == commit.before.substr(std::min(at, commit.before.size()), Hdf5Target::kPageSize)) continue;
@@ -158,6 +160,22 @@ TEST(GrowingFile, AJournalThatIsNotWholeChangesNothing) {
     file.commit();
     EXPECT_THAT(list_stages(path), testing::ElementsAre("b"));
   }
+}
+
+TEST(GrowingFile, AJournalOfAnotherFileIsLeftAlone) {
+  const ScratchDirectory scratch;
+  const Commit commit = record_commit(scratch);
+  const std::filesystem::path other = scratch / "other.h5";
+  test::write_image(other, [](const Hdf5Handle& root) {
+    make_group(root, "stages");
+    write_text(root, "model_text", "another one");
+  });
+  test::write_text_file(other.string() + ".journal", commit.journal);
+  const std::string before = test::read_text_file(other);
+  const Hdf5Session session;
+  EXPECT_EQ(read_text(Hdf5Source(other).root(), "model_text"), "another one");
+  GrowingFile file(other);
+  EXPECT_EQ(test::read_text_file(other), before);
 }
 
 TEST(GrowingFile, SavedChangesAreTakenUpAgain) {

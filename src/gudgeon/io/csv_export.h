@@ -15,8 +15,8 @@ namespace gudgeon {
 
 /// A unit that takes the place of an SI unit.
 struct CsvUnit {
-  std::string si;         ///< "m"
-  std::string text;       ///< "mm"
+  std::string si;      ///< "m"
+  std::string text;    ///< "mm"
   double in_si = 1.0;  ///< one of it
 };
 

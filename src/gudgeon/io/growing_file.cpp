@@ -30,9 +30,6 @@ constexpr std::string_view kTakenAway =
     "again "
     "where nothing else writes";
 
-/// Stands for the first page as committed, among saved changes: no file has so many.
-constexpr std::uint64_t kCommittedPage = std::numeric_limits<std::uint64_t>::max();
-
 std::uint64_t find_size(int descriptor) {
   struct stat status {};
   return ::fstat(descriptor, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
@@ -52,14 +49,6 @@ int write_page(int descriptor, std::uint64_t number, const Hdf5Target::Page& pag
   return 0;
 }
 
-/// The page as it is on the disk, zeros beyond its end.
-Hdf5Target::Page read_page(int descriptor, std::uint64_t number) {
-  Hdf5Target::Page page{};
-  [[maybe_unused]] const ssize_t count =
-      ::pread(descriptor, page.data(), page.size(), static_cast<off_t>(number * Hdf5Target::kPageSize));
-  return page;
-}
-
 }  // namespace
 
 GrowingFile::GrowingFile(std::filesystem::path file) : file_(std::move(file)) {
@@ -67,7 +56,7 @@ GrowingFile::GrowingFile(std::filesystem::path file) : file_(std::move(file)) {
   target_.descriptor = ::open(file_.c_str(), O_RDWR | O_CLOEXEC);
   if (target_.descriptor < 0) fail_file(file_, "cannot be written", errno);
   try {
-    if (std::optional<PageJournal> journal = read_journal(find_journal(file_))) {
+    if (std::optional<PageJournal> journal = read_journal(file_, target_.descriptor)) {
       target_.pages = std::move(journal->pages);
       apply(journal->end);
     }
@@ -121,7 +110,7 @@ void GrowingFile::commit() {
   std::erase_if(target_.pages,
                 [&](const auto& entry) { return read_page(target_.descriptor, entry.first) == entry.second; });
   try {
-    write_whole(find_journal(file_), pack({target_.end, target_.pages}));
+    write_whole(find_journal(file_), pack({target_.end, target_.pages, first_page_}));
   } catch (const FileError&) {
     roll_back();
     throw;
@@ -183,17 +172,14 @@ std::string GrowingFile::save_changes() {
   synchronize();
   // What is in the file now is not touched again before the next commit.
   target_.protected_end = target_.end;
-  PageJournal changes{target_.end, target_.pages};
-  changes.pages.emplace(kCommittedPage, first_page_);
-  return pack(changes);
+  return pack({target_.end, target_.pages, first_page_});
 }
 
 bool GrowingFile::restore_changes(std::string_view saved) {
   std::optional<PageJournal> changes = unpack_journal(saved);
   if (!changes) return false;
-  const auto committed = changes->pages.extract(kCommittedPage);
   const bool fits =
-      committed && committed.mapped() == first_page_ && find_size(target_.descriptor) >= changes->end && !is_changed_;
+      changes->first_before == first_page_ && find_size(target_.descriptor) >= changes->end && !is_changed_;
   if (!fits) return false;
   target_.pages = std::move(changes->pages);
   target_.end = changes->end;

@@ -50,7 +50,7 @@ std::unique_ptr<Hdf5Target> find_source(const std::filesystem::path& file, int d
   auto target = std::make_unique<Hdf5Target>();
   target->descriptor = descriptor;
   target->protected_end = std::numeric_limits<std::uint64_t>::max();
-  if (std::optional<PageJournal> journal = read_journal(find_journal(file))) {
+  if (std::optional<PageJournal> journal = read_journal(file, descriptor)) {
     target->pages = std::move(journal->pages);
   } else {
     const ssize_t count = ::pread(descriptor, target->pages[0].data(), Hdf5Target::kPageSize, 0);

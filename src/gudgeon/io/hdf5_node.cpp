@@ -124,6 +124,12 @@ bool has_link(const Hdf5Handle& parent, const std::string& name) {
   return H5Lexists(parent.id(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
+std::uint64_t find_address(const Hdf5Handle& parent, const std::string& name) {
+  H5O_info_t info{};
+  check_status(H5Oget_info_by_name(parent.id(), name.c_str(), &info, H5P_DEFAULT), "cannot look at", name);
+  return info.addr;
+}
+
 bool has_attribute(const Hdf5Handle& node, const std::string& name) { return H5Aexists(node.id(), name.c_str()) > 0; }
 
 std::vector<std::string> find_members(const Hdf5Handle& group) {

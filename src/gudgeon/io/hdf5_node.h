@@ -39,6 +39,8 @@ void remove_link(const Hdf5Handle& parent, const std::string& name);
 /// FileError "<what> 'name' is missing", or what leads out of the file.
 void require_link(const Hdf5Handle& parent, const std::string& name, std::string_view what);
 [[nodiscard]] bool is_group(const Hdf5Handle& parent, const std::string& name);
+/// Where the member lies in its file: the same for two names of one thing.
+[[nodiscard]] std::uint64_t find_address(const Hdf5Handle& parent, const std::string& name);
 [[nodiscard]] bool has_attribute(const Hdf5Handle& node, const std::string& name);
 /// Names of everything in a group, in the order it was made where the group keeps that. Links to members of other
 /// groups are left out; FileError when anything in it leads out of the file.

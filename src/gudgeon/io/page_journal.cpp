@@ -4,6 +4,8 @@
 // Journals as sealed bytes.
 #include "gudgeon/io/page_journal.h"
 
+#include <unistd.h>
+
 #include <fstream>
 #include <iterator>
 #include <vector>
@@ -21,10 +23,20 @@ struct Entry {
 };
 
 /// Saves or loads.
-void transfer(StateArchive& archive, std::uint64_t& end, std::vector<Entry>& entries) {
+void transfer(StateArchive& archive, PageJournal& journal, std::vector<Entry>& entries) {
   archive.require_text("pages of a run file");
-  archive(end);
+  archive(journal.end, journal.first_before);
   archive.list(entries);
+}
+
+bool is_of_file(const PageJournal& journal, int descriptor) {
+  const Hdf5Target::Page now = read_page(descriptor, 0);
+  const auto first = journal.pages.find(0);
+  const Hdf5Target::Page& after = first == journal.pages.end() ? journal.first_before : first->second;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now[i] != journal.first_before[i] && now[i] != after[i]) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -39,9 +51,9 @@ std::string pack(const PageJournal& journal) {
   std::vector<Entry> entries;
   entries.reserve(journal.pages.size());
   for (const auto& [number, page] : journal.pages) entries.push_back({number, page});
-  std::uint64_t end = journal.end;
+  PageJournal numbers{journal.end, {}, journal.first_before};
   StateArchive archive;
-  transfer(archive, end, entries);
+  transfer(archive, numbers, entries);
   return archive.seal();
 }
 
@@ -50,7 +62,7 @@ std::optional<PageJournal> unpack_journal(std::string_view bytes) {
   std::vector<Entry> entries;
   try {
     StateArchive archive(bytes);
-    transfer(archive, journal.end, entries);
+    transfer(archive, journal, entries);
     archive.expect_end();
   } catch (const FileError&) {
     return std::nullopt;
@@ -59,11 +71,23 @@ std::optional<PageJournal> unpack_journal(std::string_view bytes) {
   return journal;
 }
 
-std::optional<PageJournal> read_journal(const std::filesystem::path& path) {
+Hdf5Target::Page read_page(int descriptor, std::uint64_t number) {
+  Hdf5Target::Page page{};
+  [[maybe_unused]] const ssize_t count =
+      ::pread(descriptor, page.data(), page.size(), static_cast<off_t>(number * Hdf5Target::kPageSize));
+  return page;
+}
+
+std::optional<PageJournal> read_journal(const std::filesystem::path& file, int descriptor) {
+  std::error_code none;
+  const std::filesystem::path path = find_journal(file);
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, none))) return std::nullopt;
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::nullopt;
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  return unpack_journal(bytes);
+  std::optional<PageJournal> journal = unpack_journal(bytes);
+  if (journal && !is_of_file(*journal, descriptor)) return std::nullopt;
+  return journal;
 }
 
 }  // namespace gudgeon

@@ -18,6 +18,7 @@ namespace gudgeon {
 struct PageJournal {
   std::uint64_t end = 0;                              ///< [bytes] of the file once it is changed
   std::map<std::uint64_t, Hdf5Target::Page> pages{};  ///< by number
+  Hdf5Target::Page first_before{};                    ///< the file's first page as it was
 };
 
 /// Beside the file: "x.h5.journal".
@@ -28,7 +29,12 @@ std::string pack(const PageJournal& journal);
 /// Nothing when the bytes are not a whole journal.
 std::optional<PageJournal> unpack_journal(std::string_view bytes);
 
-/// Nothing when there is none, or none that is whole: then the file was not changed.
-std::optional<PageJournal> read_journal(const std::filesystem::path& path);
+/// The journal beside the file, which is open for reading. Nothing when there is none that is whole, as the file was
+/// not changed then; nor when it is of another file: the first page is neither as it was nor as it will be, nor part of
+/// each.
+std::optional<PageJournal> read_journal(const std::filesystem::path& file, int descriptor);
+
+/// The page as it is on the disk, zeros beyond its end.
+Hdf5Target::Page read_page(int descriptor, std::uint64_t number);
 
 }  // namespace gudgeon

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/hdf5_file.h"
@@ -16,8 +18,11 @@ namespace gudgeon {
 
 namespace {
 
-/// Reads what is below a group; a member that cannot be read does not keep the others from it.
-void verify_group(const Hdf5Handle& group, const std::string& path, RunVerification& found) {
+using Addresses = std::set<std::uint64_t>;
+
+/// Reads what is below a group, which is none of those seen; a member that cannot be read does not keep the others from
+/// it.
+void verify_group(const Hdf5Handle& group, const std::string& path, Addresses& seen, RunVerification& found) {
   std::vector<std::string> names;
   try {
     names = find_members(group);
@@ -28,7 +33,8 @@ void verify_group(const Hdf5Handle& group, const std::string& path, RunVerificat
     const std::string place = path + "/" + name;
     try {
       if (is_group(group, name)) {
-        verify_group(open_group(group, name), place, found);
+        if (!seen.insert(find_address(group, name)).second) throw FileError("the group has another name, too");
+        verify_group(open_group(group, name), place, seen, found);
       } else {
         check_values(open_dataset(group, name), name);
         ++found.n_datasets;
@@ -50,7 +56,8 @@ RunVerification verify_run(const std::filesystem::path& file) {
     const Hdf5Source source(file);
     found.format_version = read_count_attribute(source.root(), "format_version");
     found.has_checksums = found.format_version > 1;
-    verify_group(source.root(), "", found);
+    Addresses seen{find_address(source.root(), ".")};
+    verify_group(source.root(), "", seen, found);
   }
   try {
     const RunRecord run = read_run(file);

@@ -80,7 +80,7 @@ void check_event(const ContactEvent& event, const StageRecord& stage) {
   if (event.contact < 0) refuse("contact", event.contact);
   if (!std::isfinite(event.onset_time)) refuse("onset_time", event.onset_time);
   if (!(event.duration >= 0.0 && std::isfinite(event.duration))) refuse("duration", event.duration);
-  if (!(event.peak_force >= 0.0 && std::isfinite(event.peak_force))) refuse("peak_force", event.peak_force);
+  if (!std::isfinite(event.peak_force)) refuse("peak_force", event.peak_force);
 }
 
 }  // namespace
