@@ -7,7 +7,8 @@
 add_library(gudgeon_options INTERFACE)
 target_compile_features(gudgeon_options INTERFACE cxx_std_20)
 target_compile_options(gudgeon_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Werror
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+  $<$<BOOL:${GUDGEON_WERROR}>:-Werror>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 sees overlaps in std::string that are not there (bug 105651)
   -ffp-contract=off  # same bits whatever instruction set the compiler is allowed to use
   # comparisons and square roots need neither errno nor floating-point traps
