@@ -93,8 +93,8 @@ TEST_F(CheckpointRun, KilledAgainAndAgainWithinAStageEndsWithTheSameNumbers) {
   ASSERT_EQ(end.exit_code, 0) << end.err;
   EXPECT_THAT(end.err, HasSubstr("base: goes on in stage "));
   expect_same_numbers();
-  book::record_fault({"kill within a stage, gone on from its checkpoint", n_kills, HasFailure() ? 1 : 0,
-                      "runs whose numbers differ"});
+  book::record_fault(
+      {"kill within a stage, gone on from its checkpoint", n_kills, HasFailure() ? 1 : 0, "runs whose numbers differ"});
 }
 
 TEST_F(CheckpointRun, StoppedWithinAStageGoesOnWithItsSamples) {
