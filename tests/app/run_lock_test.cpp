@@ -104,6 +104,15 @@ TEST(RunLock, WhatAKilledRunLeavesHoldsNobody) {
   EXPECT_EQ(run_program(folder, make_arguments("runs", {})).exit_code, 0);
 }
 
+TEST(RunLock, WhatIsNoFileIsNamed) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "runs" / ".gudgeon.lock");
+  const Outcome outcome = run_program(folder, make_arguments("runs", {}));
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_THAT(outcome.err,
+              HasSubstr(".gudgeon.lock: cannot be locked: what is there is no regular file; move it away"));
+}
+
 TEST(InfoCommand, VerifyNamesWhatIsDamaged) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_program(folder, make_arguments("runs", {})).exit_code, 0);

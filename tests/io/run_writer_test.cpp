@@ -347,6 +347,25 @@ TEST(RunWriter, WhatIsNoRegularFileIsNotWrittenOver) {
               HasSubstr("is no regular file"));
 }
 
+TEST(RunWriter, ReplacesNothingWhereNoJournalCanBe) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  RunWriter(scratch / "x.h5", run, false).append(run.stages[0]);
+  std::filesystem::create_directories(scratch / "x.h5.journal/x");
+  EXPECT_THAT(find_message<FileError>([&] { RunWriter(scratch / "x.h5", run, true); }),
+              HasSubstr("x.h5.journal: is no regular file where the run's journal belongs"));
+  EXPECT_EQ(read_run(scratch / "x.h5").stages.size(), 1u);
+}
+
+TEST(RunWriter, AJournalLargerThanItsFileIsLeftUnread) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  RunWriter(scratch / "x.h5", run, false).append(run.stages[0]);
+  test::write_text_file(scratch / "x.h5.journal", "");
+  std::filesystem::resize_file(scratch / "x.h5.journal", std::uintmax_t{1} << 36U);  // a hole
+  EXPECT_EQ(read_run(scratch / "x.h5").stages.size(), 1u);
+}
+
 TEST(RunWriter, RefusesAStageTwiceAndNamesHdf5CannotHold) {
   const ScratchDirectory scratch;
   const RunRecord run = make_run();

@@ -5,7 +5,6 @@
 #include "gudgeon/app/run_command.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -109,7 +108,7 @@ RunLocks prepare_outputs(const std::vector<CaseRun>& cases, Existing existing) {
     if (failure)
       throw FileError(fmt::format("directory '{}' cannot be made: {}", directory.string(), failure.message()));
   }
-  RunLocks locks = lock_outputs(cases);
+  RunLocks locks = lock_outputs(cases);  // which also proves that files can be made there
   std::vector<std::string> troubles;
   for (const CaseRun& one : cases) {
     try {
@@ -123,10 +122,6 @@ RunLocks prepare_outputs(const std::vector<CaseRun>& cases, Existing existing) {
         "{}{}", fmt::join(troubles, "\n  "),
         existing == Existing::refuse ? "\n  --overwrite replaces run files, --resume goes on with them" : ""));
   }
-  // A file that comes and goes proves that the run files can be written.
-  const std::filesystem::path probe = cases.front().file.parent_path() / fmt::format(".gudgeon.probe.{}", ::getpid());
-  write_whole(probe, std::string_view{});
-  std::filesystem::remove(probe, failure);
   return locks;
 }
 

@@ -43,8 +43,11 @@ std::optional<SavedCheckpoint> read_checkpoint(const std::filesystem::path& run_
   std::error_code failure;
   if (!std::filesystem::exists(std::filesystem::symlink_status(file, failure))) return std::nullopt;
   check_source(file);
+  constexpr std::uintmax_t kLargest = 1U << 30U;  // [bytes] ten times a block of samples and all surfaces
+  const std::uintmax_t size = std::filesystem::file_size(file);
+  if (size > kLargest) throw FileError(fmt::format("{}: is larger than any checkpoint", file.string()));
   std::ifstream stream(file, std::ios::binary);
-  std::string bytes(std::filesystem::file_size(file), '\0');
+  std::string bytes(size, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   try {
     StateArchive archive(bytes);

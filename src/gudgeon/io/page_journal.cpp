@@ -82,6 +82,9 @@ std::optional<PageJournal> read_journal(const std::filesystem::path& file, int d
   std::error_code none;
   const std::filesystem::path path = find_journal(file);
   if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, none))) return std::nullopt;
+  // At most all of the file changed, and the new end of it.
+  const std::uintmax_t most = 2 * std::filesystem::file_size(file, none) + (1U << 20U);
+  if (none || std::filesystem::file_size(path, none) > most || none) return std::nullopt;
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::nullopt;
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};

@@ -41,7 +41,14 @@ bool is_taken(int why) { return why == EAGAIN || why == EACCES; }
 
 int open_lock(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
-  if (descriptor < 0) fail_file(path, "cannot be created", errno);
+  const int why = errno;
+  std::error_code none;
+  const std::filesystem::file_status there = std::filesystem::symlink_status(path, none);
+  if (!std::filesystem::is_regular_file(there) && std::filesystem::exists(there)) {
+    if (descriptor >= 0) ::close(descriptor);
+    throw FileError(fmt::format("{}: cannot be locked: what is there is no regular file; move it away", path.string()));
+  }
+  if (descriptor < 0) fail_file(path, "cannot be created", why);
   return descriptor;
 }
 

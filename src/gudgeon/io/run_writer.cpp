@@ -54,14 +54,28 @@ void write_failure(const Hdf5Handle& root, const StageRecord& stage) {
   make_soft_link(failure, "stage", "/stages/" + stage.name);
 }
 
+/// Of the file that is replaced; before that is gone, what stands in the way of the next journal is told.
+void remove_journal(const std::filesystem::path& file) {
+  std::error_code failure;
+  const std::filesystem::path journal = find_journal(file);
+  const std::filesystem::file_status there = std::filesystem::symlink_status(journal, failure);
+  if (!std::filesystem::exists(there)) return;
+  if (!std::filesystem::is_regular_file(there)) {
+    throw FileError(
+        fmt::format("{}: is no regular file where the run's journal belongs; move it away", journal.string()));
+  }
+  if (!std::filesystem::remove(journal, failure)) {
+    throw FileError(fmt::format("{}: cannot be removed: {}", journal.string(), failure.message()));
+  }
+}
+
 void make_file(const std::filesystem::path& file, const RunRecord& header) {
   PartialFile partial(file);
   {
     const Hdf5Session session;
     change_inside(partial, [&](const Hdf5Handle& root) { write_header(root, header); });
   }
-  std::error_code none;
-  std::filesystem::remove(find_journal(file), none);  // of the file that is replaced
+  remove_journal(file);
   partial.put_in_place();
 }
 
