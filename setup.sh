@@ -13,11 +13,12 @@ packages=(
   libgtest-dev libgmock-dev libbenchmark-dev
   clang libclang-rt-dev
   chromium fonts-dejavu-core librsvg2-bin
+  hdf5-tools netcdf-bin python3-h5py
 )
 
 if [[ "${1:-}" == --all ]]; then
   packages+=(
-    hdf5-tools netcdf-bin python3-h5py python3-pandas python3-xarray python3-netcdf4 python3-h5netcdf
+    python3-pandas python3-xarray python3-netcdf4 python3-h5netcdf
     octave r-base-core r-bioc-rhdf5 r-cran-hdf5r scilab-cli veusz
   )
 fi

@@ -12,17 +12,23 @@ model=$2
 only=${3:-}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-"$program" run "$model" -o "$folder/runs" --set study.cycles=1 --set study.warm_up_cycles=0 \
-  --set study.outputs_per_cycle=2000 --quiet >/dev/null
 cd "$folder"
-mv runs/base.h5 press.h5
-"$program" export press.h5 -o csv >/dev/null
-right=$(python3 - <<'EOF'
+
+# The run file, and the right number; once a tool is there to read it.
+right=
+prepare() {
+  if [ -n "$right" ]; then return; fi
+  "$program" run "$model" -o runs --set study.cycles=1 --set study.warm_up_cycles=0 \
+    --set study.outputs_per_cycle=2000 --quiet >/dev/null
+  mv runs/base.h5 press.h5
+  "$program" export press.h5 -o csv >/dev/null
+  right=$(python3 - <<'EOF'
 import csv
 rows = csv.DictReader(open("csv/no_wear_channels.csv"))
 print("%.9g" % max(float(row["B.normal_force [N]"]) for row in rows))
 EOF
-)
+  )
+}
 group=stages/no_wear/channels/B
 n_failed=0
 n_passed=0
@@ -36,6 +42,7 @@ try() {
     echo "not run: $name is not there"
     return
   fi
+  prepare
   if ! seen=$("$@" 2>errors.txt | tail -n 1) || [ "$seen" != "$right" ]; then
     echo "FAILED: $name read '${seen}' where $right is right: $(tail -n 2 errors.txt)"
     n_failed=$((n_failed + 1))
@@ -101,6 +108,6 @@ try ncdump "command -v ncdump" python3 dump.py
 try h5repack "command -v h5repack && command -v h5dump" bash -c "
 h5repack press.h5 packed.h5
 $program info --verify packed.h5 >&2
-echo $right"
+$python -c 'import csv; print(\"%.9g\" % max(float(r[\"B.normal_force [N]\"]) for r in csv.DictReader(open(\"csv/no_wear_channels.csv\"))))'"
 if ((n_failed > 0)); then exit 1; fi
 if ((n_passed == 0)); then exit 77; fi
