@@ -48,7 +48,7 @@ std::string read_numbers(const std::filesystem::path& file) {
 
 // Sanitizers make each ten times as long.
 #ifdef GUDGEON_SANITIZE
-constexpr int kTrials = 6;
+constexpr int kTrials = 4;
 #else
 constexpr int kTrials = 50;
 #endif
