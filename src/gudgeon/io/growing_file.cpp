@@ -27,8 +27,7 @@ namespace {
 
 constexpr std::string_view kTakenAway =
     "another program replaced or changed it while the run went on; what this run finished since is not in it: run "
-    "again "
-    "where nothing else writes";
+    "again where nothing else writes";
 
 std::uint64_t find_size(int descriptor) {
   struct stat status {};
@@ -120,6 +119,7 @@ void GrowingFile::commit() {
 
 // The journal is whole: from here on every failure is mended by whoever opens the file next.
 void GrowingFile::apply(std::uint64_t end) {
+  committed_end_ = end;  // the journal leads there: what lies before it is not cut off any more
   int why = 0;
   // The first page names the new end, which others may point behind: it goes first, and they are in order.
   for (const auto& [number, page] : target_.pages) {
@@ -145,8 +145,8 @@ void GrowingFile::note_committed(std::uint64_t end) {
 
 Hdf5Target::Page GrowingFile::read_committed_page() const {
   Hdf5Target::Page page = read_page(target_.descriptor, 0);
-  if (committed_end_ < page.size())
-    std::fill(page.begin() + static_cast<std::ptrdiff_t>(committed_end_), page.end(), std::byte{0});
+  const auto n_committed = static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(committed_end_, page.size()));
+  std::fill(page.begin() + n_committed, page.end(), std::byte{0});
   return page;
 }
 
