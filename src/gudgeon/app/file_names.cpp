@@ -11,23 +11,18 @@
 #include <cstdint>
 #include <string_view>
 
+#include "gudgeon/base/stable_hash.h"
+
 namespace gudgeon {
 namespace {
 
 // [bytes] File systems take 255; an ending, or two, comes behind.
 constexpr std::size_t kLongest = 200;
 
-/// Fowler, Noll and Vo's hash 1a: the same on every machine.
-std::uint64_t find_hash(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
-}
-
 }  // namespace
 
 std::string make_file_name(std::string name) {
-  const std::uint64_t hash = find_hash(name);
+  const std::uint64_t hash = find_stable_hash(name);
   std::ranges::replace_if(
       name,
       [](unsigned char c) {

@@ -9,23 +9,19 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdint>
 #include <string>
 #include <utility>
 
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/base/stable_hash.h"
 #include "gudgeon/io/safe_file.h"
 
 namespace gudgeon {
 
 namespace {
 
-/// FNV-1a, the same in every build, without the sign bit of a file offset.
-off_t find_place(const std::string& name) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  return static_cast<off_t>(hash >> 2U);
-}
+/// Without the sign of a file offset.
+off_t find_place(const std::string& name) { return static_cast<off_t>(find_stable_hash(name) >> 2U); }
 
 /// 0, or why the lock is not ours. The length 0 means all of the file.
 int lock_range(int descriptor, off_t place, off_t length) {
