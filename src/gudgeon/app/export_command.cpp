@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -78,12 +79,10 @@ void read_samples(const ExportOptions& options, RunRecord& run) {
                                  options.file.string()));
   }
   for (StageRecord& stage : run.stages) {
-    read_channels(options.file, stage, find_channels(stage, options.channels));
-    if (options.channels.empty()) continue;
-    std::erase_if(stage.statistics, [&](const ChannelStatistics& s) {
-      const std::vector<std::string> names = find_channels(stage, options.channels);
-      return std::ranges::find(names, s.channel) == names.end();
-    });
+    const std::vector<std::string> names = find_channels(stage, options.channels);
+    read_channels(options.file, stage, names);
+    const std::set<std::string> wanted(names.begin(), names.end());
+    std::erase_if(stage.statistics, [&](const ChannelStatistics& s) { return !wanted.contains(s.channel); });
   }
 }
 
@@ -105,7 +104,9 @@ void add_export_command(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("export", "Write a run file's channels and wear profiles as CSV");
   command->add_option("RUN", options->file, "Run file (HDF5)")->required();
   command->add_option("-o,--output", options->directory, "Directory to write to; it is made when missing")->required();
-  command->add_option("--channel", options->channels, "Only channels of that name, '*' for any text (may be repeated)")
+  command
+      ->add_option("--channel", options->channels,
+                   "Only channels of that name or shell pattern, 'A.*' (may be repeated)")
       ->type_name("NAME")
       ->allow_extra_args(false);
   command->add_option("--stage", options->stages, "Only that stage (may be repeated)")

@@ -27,7 +27,7 @@ namespace gudgeon {
 
 namespace {
 
-constexpr unsigned kMostStages = 40;  // that the group's own header has room for from the start
+constexpr unsigned kStagesAtFirst = 40;  // that the group's own header has room for from the start
 
 void write_header(const Hdf5Handle& root, const RunRecord& header) {
   write_text_attribute(root, "format", kRunFormat);
@@ -36,7 +36,7 @@ void write_header(const Hdf5Handle& root, const RunRecord& header) {
   write_text_attribute(root, "model_file", header.model_file);
   write_text_attribute(root, "case_name", header.case_name);
   // What changes with every stage comes first: it then changes with the file's first page.
-  make_group(root, "stages", kMostStages, 8);
+  make_group(root, "stages", kStagesAtFirst, 8);
   write_text(root, "model_text", header.model_text);
   write_text(root, "explained", header.explained);
   std::vector<OverrideRow> overrides;
