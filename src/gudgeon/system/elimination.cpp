@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <set>
 
 namespace gudgeon {
@@ -20,8 +21,8 @@ class EliminationGraph {
     const int n_coordinates = n - n_constraints;
     for (const auto& [row, column] : pattern) {
       assert(row != column);
-      neighbours_[row].insert(column);
-      neighbours_[column].insert(row);
+      neighbours_[row].push_back(column);
+      neighbours_[column].push_back(row);
       const auto [low, high] = std::minmax(row, column);
       if (high >= n_coordinates && low < n_coordinates) {
         constraints_of_[low].push_back(high);
@@ -29,6 +30,7 @@ class EliminationGraph {
       }
     }
     for (int i = 0; i < n; ++i) {
+      std::ranges::sort(neighbours_[i]);
       if (waiting_for_[i] == 0) ready_.emplace(neighbours_[i].size(), i);
     }
   }
@@ -36,16 +38,15 @@ class EliminationGraph {
   // The first one with the fewest neighbours.
   [[nodiscard]] int find_next() const { return ready_.begin()->second; }
 
-  std::set<int> eliminate(int index) {
+  // The neighbours it had, in order.
+  std::vector<int> eliminate(int index) {
     ready_.erase({neighbours_[index].size(), index});
-    std::set<int> front = std::move(neighbours_[index]);
+    std::vector<int> front = std::move(neighbours_[index]);
     for (const int a : front) {
       const bool is_ready = waiting_for_[a] == 0;
       if (is_ready) ready_.erase({neighbours_[a].size(), a});
-      neighbours_[a].erase(index);
-      for (const int b : front) {
-        if (a != b) neighbours_[a].insert(b);
-      }
+      join(neighbours_[a], front);
+      std::erase_if(neighbours_[a], [&](int b) { return b == a || b == index; });
       if (is_ready) ready_.emplace(neighbours_[a].size(), a);
     }
     for (const int constraint : constraints_of_[index]) {
@@ -55,7 +56,14 @@ class EliminationGraph {
   }
 
  private:
-  std::vector<std::set<int>> neighbours_;
+  void join(std::vector<int>& sorted, const std::vector<int>& others) {
+    joined_.clear();
+    std::ranges::set_union(sorted, others, std::back_inserter(joined_));
+    sorted.swap(joined_);
+  }
+
+  std::vector<std::vector<int>> neighbours_;      // each list in order
+  std::vector<int> joined_;                       // scratch
   std::vector<int> waiting_for_;                  // coordinates that a constraint row still waits for
   std::vector<std::vector<int>> constraints_of_;  // one list a coordinate
   std::set<std::pair<std::size_t, int>> ready_;   // neighbours, and index, of what waits for nothing
@@ -65,7 +73,7 @@ class EliminationGraph {
 
 Elimination::Elimination(int n, int n_constraints, const std::vector<std::pair<int, int>>& pattern) : n_(n) {
   EliminationGraph graph(n, n_constraints, pattern);
-  std::vector<std::set<int>> fronts(n);
+  std::vector<std::vector<int>> fronts(n);
   position_.assign(n, 0);
   for (int k = 0; k < n; ++k) {
     const int index = graph.find_next();
@@ -77,28 +85,37 @@ Elimination::Elimination(int n, int n_constraints, const std::vector<std::pair<i
   // Columns hold their rows in the order of elimination, so that an update of (a, b), a before b, is in column a.
   begin_.push_back(n);
   for (int k = 0; k < n; ++k) {
-    std::vector<int> rows(fronts[k].begin(), fronts[k].end());
+    std::vector<int>& rows = fronts[k];
     std::ranges::sort(rows, {}, [&](int row) { return position_[row]; });
     rows_.insert(rows_.end(), rows.begin(), rows.end());
     begin_.push_back(n + static_cast<std::int32_t>(rows_.size()));
   }
   n_values_ = static_cast<std::size_t>(begin_.back());
-  for (int k = 0; k < n; ++k) {
+  find_targets();
+}
+
+// The rows behind a in its column are rows of column a, too, in the same order.
+void Elimination::find_targets() {
+  for (int k = 0; k < n_; ++k) {
     for (int a = begin_[k]; a < begin_[k + 1]; ++a) {
-      for (int b = a; b < begin_[k + 1]; ++b) targets_.push_back(find_slot(rows_[a - n], rows_[b - n]));
+      const int column = position_[rows_[a - n_]];
+      targets_.push_back(column);
+      int target = begin_[column];
+      for (int b = a + 1; b < begin_[k + 1]; ++b) {
+        while (rows_[target - n_] != rows_[b - n_]) ++target;
+        targets_.push_back(target);
+      }
     }
   }
 }
 
 int Elimination::find_slot(int row, int column) const {
   if (row == column) return position_[row];
-  for (const auto& [i, j] : {std::pair{row, column}, std::pair{column, row}}) {
-    const int k = position_[i];
-    for (int a = begin_[k]; a < begin_[k + 1]; ++a) {
-      if (rows_[a - n_] == j) return a;
-    }
-  }
-  return -1;
+  const auto [first, second] = std::minmax(position_[row], position_[column]);
+  const auto begin = rows_.begin() + (begin_[first] - n_);
+  const auto end = rows_.begin() + (begin_[first + 1] - n_);
+  const auto place = std::ranges::lower_bound(begin, end, second, {}, [&](int other) { return position_[other]; });
+  return place != end && position_[*place] == second ? n_ + static_cast<int>(place - rows_.begin()) : -1;
 }
 
 void Elimination::solve(const double* values, const double* inverse_pivots, double* x) const noexcept {

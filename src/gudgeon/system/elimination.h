@@ -38,6 +38,7 @@ class Elimination {
   void subtract_product(const double* values, const double* x, double* y) const noexcept;
 
  private:
+  void find_targets();
   void substitute_back(const double* values, const double* inverse_pivots, double* x) const noexcept;
 
   int n_ = 0;

@@ -12,8 +12,42 @@ std::map<TermKey, Vec2> merge_terms(const Path& path) {
   return merged;
 }
 
+namespace {
+
+/// Pairs of terms, a row for each first key. Terms of a body come in order, and mostly where another body had them.
+class PairSums {
+ public:
+  void add(double mass, const std::map<TermKey, Vec2>& terms) {
+    for (auto first = terms.begin(); first != terms.end(); ++first) {
+      Row& row = rows_[first->first];
+      auto place = row.begin();
+      for (auto second = first; second != terms.end(); ++second, ++place) {
+        if (place == row.end() || place->first != second->first) place = row.lower_bound(second->first);
+        if (place == row.end() || place->first != second->first)
+          place = row.emplace_hint(place, second->first, Products{});
+        place->second.add(mass, first->second, second->second);
+      }
+    }
+  }
+
+  [[nodiscard]] std::map<std::array<TermKey, 2>, Products> list() const {
+    std::map<std::array<TermKey, 2>, Products> pairs;
+    for (const auto& [first, row] : rows_) {
+      for (const auto& [second, products] : row) pairs.emplace_hint(pairs.end(), std::array{first, second}, products);
+    }
+    return pairs;
+  }
+
+ private:
+  using Row = std::map<TermKey, Products>;
+  std::map<TermKey, Row> rows_;
+};
+
+}  // namespace
+
 KineticTerms sum_kinetic_terms(const Mechanism& mechanism, const Topology& topology) {
   KineticTerms sums;
+  PairSums pairs;
   sums.turn_inertia.assign(topology.counts.n_turns(), 0.0);
   sums.turn_torque.assign(topology.counts.n_turns(), 0.0);
   const auto add_force = [&](const Path& path, Vec2 force) {
@@ -25,13 +59,9 @@ KineticTerms sum_kinetic_terms(const Mechanism& mechanism, const Topology& topol
     const Path path = topology.find_path(b, body.center_of_mass);
     sums.turn_inertia[topology.bodies[b].turn] += body.inertia;
     add_force(path, body.mass * mechanism.gravity);
-    const auto terms = merge_terms(path);
-    for (auto first = terms.begin(); first != terms.end(); ++first) {
-      for (auto second = first; second != terms.end(); ++second) {
-        sums.pairs[{first->first, second->first}].add(body.mass, first->second, second->second);
-      }
-    }
+    pairs.add(body.mass, merge_terms(path));
   }
+  sums.pairs = pairs.list();
 
   const NameIndex names(mechanism);
   for (const Load& load : mechanism.loads) {
