@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <unordered_set>
 
 #include "gudgeon/analysis/ideal_comparison.h"
-#include "gudgeon/analysis/translating_bodies.h"
+#include "gudgeon/analysis/slider_coordinates.h"
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/report/number_format.h"
 #include "gudgeon/report/table.h"
@@ -68,13 +70,11 @@ std::vector<std::string> find_ideal_channels(const RunRecord& run) {
   const StageRecord* ideal = find_stage(run, kIdealStage);
   std::vector<std::string> channels;
   if (ideal == nullptr) return channels;
-  for (const std::string& body : find_translating_bodies(*ideal)) {
-    for (const std::string& axis : find_moving_axes(*ideal, body)) {
-      for (const char* ending : {"", "_velocity", "_acceleration"}) {
-        const std::string name = body + "." + axis + ending;
-        const bool recorded = std::ranges::find(ideal->channels, name, &Channel::name) != ideal->channels.end();
-        if (recorded) channels.push_back(name);
-      }
+  std::unordered_set<std::string_view> recorded;
+  for (const Channel& channel : ideal->channels) recorded.insert(channel.name);
+  for (const std::string& coordinate : find_slider_coordinates(*ideal)) {
+    for (const char* ending : {"", "_velocity", "_acceleration"}) {
+      if (recorded.contains(coordinate + ending)) channels.push_back(coordinate + ending);
     }
   }
   return channels;

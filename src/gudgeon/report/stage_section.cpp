@@ -8,11 +8,13 @@
 
 #include <algorithm>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "gudgeon/analysis/energy_audit.h"
 #include "gudgeon/analysis/surface_limits.h"
-#include "gudgeon/analysis/translating_bodies.h"
+#include "gudgeon/analysis/slider_coordinates.h"
 #include "gudgeon/report/number_format.h"
 #include "gudgeon/report/table.h"
 
@@ -27,23 +29,27 @@ Table make_stage_columns(const RunRecord& run, std::string first) {
   return Table(std::move(columns));
 }
 
+/// The statistics of a stage by the names of their channels.
+std::unordered_map<std::string_view, const ChannelStatistics*> index_statistics(const StageRecord& stage) {
+  std::unordered_map<std::string_view, const ChannelStatistics*> index;
+  for (const ChannelStatistics& statistics : stage.statistics) index.emplace(statistics.channel, &statistics);
+  return index;
+}
+
 /// Channels whose peaks a reader asks for first, in the order recorded, each once over all stages.
 std::vector<Channel> find_peak_channels(const RunRecord& run) {
   std::vector<Channel> peaks;
+  std::unordered_set<std::string_view> known;
   for (const StageRecord& stage : run.stages) {
-    const std::vector<std::string> sliders = find_translating_bodies(stage);
-    const auto is_slider_acceleration = [&](const std::string& name) {
-      return std::ranges::any_of(sliders, [&](const std::string& body) {
-        const std::vector<std::string> axes = find_moving_axes(stage, body);
-        return std::ranges::any_of(axes,
-                                   [&](const std::string& a) { return name == body + "." + a + "_acceleration"; });
-      });
-    };
+    const auto statistics = index_statistics(stage);
+    std::unordered_set<std::string> accelerations;
+    for (const std::string& coordinate : find_slider_coordinates(stage)) {
+      accelerations.insert(coordinate + "_acceleration");
+    }
     for (const Channel& channel : stage.channels) {
       const std::string& name = channel.name;
-      const bool wanted = name.ends_with(".normal_force") || name.ends_with(".effort") || is_slider_acceleration(name);
-      const bool known = std::ranges::find(peaks, name, &Channel::name) != peaks.end();
-      if (wanted && !known && find_statistics(stage, name) != nullptr) peaks.push_back(channel);
+      const bool wanted = name.ends_with(".normal_force") || name.ends_with(".effort") || accelerations.contains(name);
+      if (wanted && statistics.contains(name) && known.insert(name).second) peaks.push_back(channel);
     }
   }
   return peaks;
@@ -96,11 +102,13 @@ std::string render_limits_exceeded(const RunRecord& run, bool color) {
 
 std::string render_peaks(const RunRecord& run, bool color) {
   Table table = make_stage_columns(run, "channel");
+  std::vector<std::unordered_map<std::string_view, const ChannelStatistics*>> of_stages;
+  for (const StageRecord& stage : run.stages) of_stages.push_back(index_statistics(stage));
   for (const Channel& channel : find_peak_channels(run)) {
     std::vector<std::string> row{channel.name};
-    for (const StageRecord& stage : run.stages) {
-      const ChannelStatistics* statistics = find_statistics(stage, channel.name);
-      row.push_back(statistics == nullptr ? kNoNumber : format_engineering(statistics->peak(), channel.unit));
+    for (const auto& statistics : of_stages) {
+      const auto found = statistics.find(channel.name);
+      row.push_back(found == statistics.end() ? kNoNumber : format_engineering(found->second->peak(), channel.unit));
     }
     table.add_row(std::move(row));
   }

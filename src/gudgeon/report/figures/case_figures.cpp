@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "gudgeon/analysis/translating_bodies.h"
+#include "gudgeon/analysis/slider_coordinates.h"
 
 namespace gudgeon {
 
@@ -27,11 +27,9 @@ bool is_recorded(const StageRecord& stage, const std::string& channel) {
 std::vector<std::string> find_slider_motions(const RunRecord& run) {
   std::vector<std::string> channels;
   for (const StageRecord& stage : run.stages) {
-    for (const std::string& body : find_translating_bodies(stage)) {
-      for (const std::string& axis : find_moving_axes(stage, body)) {
-        for (const char* ending : {"", "_velocity", "_acceleration"}) {
-          add_once(channels, body + "." + axis + ending, std::identity{});
-        }
+    for (const std::string& coordinate : find_slider_coordinates(stage)) {
+      for (const char* ending : {"", "_velocity", "_acceleration"}) {
+        add_once(channels, coordinate + ending, std::identity{});
       }
     }
   }

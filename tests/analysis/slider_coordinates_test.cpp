@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Sliders found from the record.
-#include "gudgeon/analysis/translating_bodies.h"
+#include "gudgeon/analysis/slider_coordinates.h"
 
 #include <gtest/gtest.h>
 
@@ -11,21 +11,20 @@
 namespace gudgeon {
 namespace {
 
-TEST(TranslatingBodies, SliderMovesWithoutTurning) {
+TEST(SliderCoordinates, SliderMovesWithoutTurning) {
   StageRecord stage = test::make_run().stages[0];
   stage.channels.push_back({"crank.x_acceleration", "ẍ", "m/s^2", ""});
   stage.values.emplace_back(test::kSamples, 3.0);
   stage.channels.push_back({"frame.x_acceleration", "ẍ", "m/s^2", ""});
   stage.values.emplace_back(test::kSamples, 0.0);
-  EXPECT_EQ(find_translating_bodies(stage), std::vector<std::string>{"slider"});
-  EXPECT_EQ(find_moving_axes(stage, "slider"), std::vector<std::string>{"x"});
+  EXPECT_EQ(find_slider_coordinates(stage), std::vector<std::string>{"slider.x"});
 }
 
-TEST(TranslatingBodies, StatisticsAreEnough) {
+TEST(SliderCoordinates, StatisticsAreEnough) {
   StageRecord stage = test::make_run().stages[0];
   stage.time.clear();
   for (auto& values : stage.values) values.clear();
-  EXPECT_EQ(find_translating_bodies(stage), std::vector<std::string>{"slider"});
+  EXPECT_EQ(find_slider_coordinates(stage), std::vector<std::string>{"slider.x"});
 }
 
 }  // namespace
