@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads run files back and summarises them.
+// Summaries, paths and troubles of cases.
 #include "gudgeon/app/case_results.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
+#include <string_view>
+#include <unordered_set>
 
 #include "gudgeon/analysis/published.h"
 #include "gudgeon/app/text_output.h"
@@ -26,20 +27,6 @@ std::vector<PublishedRow> make_published(const std::vector<PublishedValue>& publ
   return rows;
 }
 
-/// All that the summary needs, without the thousands of samples it does not.
-RunRecord read_for_summary(const std::filesystem::path& file) {
-  RunRecord run = read_run_outline(file);
-  const std::vector<std::string> wanted = find_ideal_channels(run);
-  for (StageRecord& stage : run.stages) {
-    std::vector<std::string> channels;
-    for (const std::string& name : wanted) {
-      if (std::ranges::find(stage.channels, name, &Channel::name) != stage.channels.end()) channels.push_back(name);
-    }
-    read_channels(file, stage, channels);
-  }
-  return run;
-}
-
 /// Whether the file that the case was to write is there: a run that a limit stopped may have left none.
 bool is_kept(const CaseRun& one) {
   std::error_code unknown;
@@ -49,7 +36,8 @@ bool is_kept(const CaseRun& one) {
 void print_summaries(const std::vector<CaseRun>& cases, bool quiet) {
   for (const CaseRun& one : cases) {
     if (quiet || !is_kept(one)) continue;
-    write_receipt(render_summary(read_for_summary(one.file), make_published(one.published), find_color_wanted()));
+    // What went wrong may have left some stages in the file.
+    write_receipt(one.summary.empty() ? summarize_case(one, read_run_outline(one.file)) : one.summary);
     write_receipt("\n");
   }
   for (const CaseRun& one : cases) {
@@ -68,6 +56,19 @@ void print_troubles(const std::vector<CaseRun>& cases) {
 }
 
 }  // namespace
+
+std::string summarize_case(const CaseRun& one, RunRecord run) {
+  const std::vector<std::string> ideal = find_ideal_channels(run);
+  const std::unordered_set<std::string_view> wanted(ideal.begin(), ideal.end());
+  for (StageRecord& stage : run.stages) {
+    std::vector<std::string> channels;
+    for (const Channel& channel : stage.channels) {
+      if (wanted.contains(channel.name)) channels.push_back(channel.name);
+    }
+    read_channels(one.file, stage, channels);
+  }
+  return render_summary(run, make_published(one.published), find_color_wanted());
+}
 
 void print_results(const std::vector<CaseRun>& cases, bool quiet) {
   try {

@@ -21,7 +21,9 @@ struct CaseRun {
   std::filesystem::path file;
   std::vector<PublishedValue> published;  ///< known once it has run
   ExitCode code = ExitCode::done;
+  bool wants_summary = true;
   bool is_written = false;  ///< the file holds this run
+  std::string summary;      ///< of all its stages; empty when it was not wanted, or something went wrong before
   std::string message;      ///< why it is not done, or what is wrong with it; empty when it is all right
 };
 

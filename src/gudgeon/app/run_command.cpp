@@ -77,6 +77,7 @@ std::vector<CaseRun> place_outputs(const RunOptions& options, const ModelDocumen
     one.name = std::move(name);
     const std::string model_name = document.find_name(find_document_case(one.name), overrides);
     one.file = find_directory(options, model_name) / (make_file_name(one.name) + ".h5");
+    one.wants_summary = !options.quiet;
     const auto [known, is_new] = names.emplace(one.file, one.name);
     if (is_new) continue;
     throw UsageError(fmt::format("cases '{}' and '{}' would both be written to {}; run them into different directories",
