@@ -21,6 +21,7 @@ namespace {
 constexpr std::size_t kChunkRows = 16384;      // 128 KiB of doubles: well inside HDF5's chunk cache of 1 MiB
 constexpr std::size_t kMostCompact = 1024;     // [bytes] that an object's header holds with no index to them
 constexpr std::size_t kLongText = 32768;       // [bytes] HDF5 has no room for 64 KiB in a header
+constexpr std::size_t kLeastDeflated = 4096;  // [bytes] a smaller chunk takes as long to begin as to deflate
 constexpr unsigned kDeflateLevel = 1;          // after shuffle, higher levels cost much time and gain little
 constexpr std::uint64_t kMostDeflated = 1032;  // how many times smaller deflate makes anything
 
@@ -32,10 +33,12 @@ Hdf5Handle make_row_space(hsize_t n_rows) {
 
 Hdf5Handle make_creation() { return check_id(H5Pcreate(H5P_DATASET_CREATE), "cannot make", "dataset storage"); }
 
-void set_chunks(const Hdf5Handle& storage, hsize_t chunk_rows) {
+void set_chunks(const Hdf5Handle& storage, hsize_t chunk_rows, std::size_t row_size) {
   check_status(H5Pset_chunk(storage.id(), 1, &chunk_rows), "cannot set", "chunks");
-  check_status(H5Pset_shuffle(storage.id()), "cannot set", "shuffle");
-  check_status(H5Pset_deflate(storage.id(), kDeflateLevel), "cannot set", "deflate");
+  if (chunk_rows * row_size >= kLeastDeflated) {
+    check_status(H5Pset_shuffle(storage.id()), "cannot set", "shuffle");
+    check_status(H5Pset_deflate(storage.id(), kDeflateLevel), "cannot set", "deflate");
+  }
   check_status(H5Pset_fletcher32(storage.id()), "cannot set", "checksums");
 }
 
@@ -47,7 +50,7 @@ Hdf5Handle make_storage(std::size_t n_rows, std::size_t row_size) {
     check_status(H5Pset_layout(storage.id(), H5D_COMPACT), "cannot set", "layout");
   } else {
     const std::size_t most = std::max<std::size_t>(1, kChunkRows * sizeof(double) / row_size);
-    set_chunks(storage, std::clamp<std::size_t>(n_rows, 1, most));
+    set_chunks(storage, std::clamp<std::size_t>(n_rows, 1, most), row_size);
   }
   return storage;
 }
@@ -232,7 +235,7 @@ SeriesMaker::SeriesMaker(std::size_t n_rows)
 
 SeriesMaker SeriesMaker::growing(std::size_t chunk_rows) {
   Hdf5Handle storage = make_creation();
-  set_chunks(storage, std::clamp<std::size_t>(chunk_rows, 1, kChunkRows));
+  set_chunks(storage, std::clamp<std::size_t>(chunk_rows, 1, kChunkRows), sizeof(double));
   return {make_row_space(0), std::move(storage), true};
 }
 
