@@ -90,11 +90,15 @@ count_passed() {
 # The tests that run several threads, in this process or in the program, under ThreadSanitizer. A program in which it
 # finds something ends with 66; what it found is in build-tsan/races.*.
 thread_sanitizer() {
-  local threaded="sim/CaseTurns|io/RunWriter\\.SeveralThreads|app/(RunCommand|ManyCases|RunLock|CheckpointRun|Signals)"
   rm -f build-tsan/races.*
   CC=clang CXX=clang++ build_apart build-tsan "gudgeon sim_tests io_tests app_tests" -DCMAKE_BUILD_TYPE=Debug \
     '-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1' -DCMAKE_CXX_FLAGS=-fsanitize=thread || return 1
-  TSAN_OPTIONS="exitcode=66 log_path=$PWD/build-tsan/races" count_passed build-tsan -R "^($threaded)" && return
+  local -x TSAN_OPTIONS="exitcode=66 log_path=$PWD/build-tsan/races"
+  if build-tsan/sim_tests --gtest_brief=1 --gtest_filter='CaseTurns*' &&
+    build-tsan/io_tests --gtest_brief=1 --gtest_filter='RunWriter.SeveralThreads*' &&
+    build-tsan/app_tests --gtest_brief=1 --gtest_filter='RunCommand*:ManyCases*:RunLock*:CheckpointRun*:Signals*'; then
+    return
+  fi
   cat build-tsan/races.* 2> /dev/null
   return 1
 }
