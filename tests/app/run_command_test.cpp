@@ -161,11 +161,11 @@ bool wait_for_stage(const TemporaryFolder& folder, const std::string& run_file, 
 }
 
 TEST(RunCommand, ResumedRunHasTheSameBits) {
-// A stage takes about a second then, long enough to be interrupted.
+// A stage takes about half a second then, long enough to be interrupted.
 #ifdef GUDGEON_SANITIZE
-  const std::string cycles = "study.cycles=4";
+  const std::string cycles = "study.cycles=2";
 #else
-  const std::string cycles = "study.cycles=40";
+  const std::string cycles = "study.cycles=20";
 #endif
   const TemporaryFolder folder;
   const std::vector<std::string> run{"run", find_slider_crank(), "--set", cycles, "--quiet", "-o"};
