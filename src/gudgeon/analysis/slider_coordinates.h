@@ -11,8 +11,8 @@
 
 namespace gudgeon {
 
-/// Of bodies with statistics or values of an acceleration whose angle rate is zero or not recorded, the coordinates that
-/// move, "slider.x" for one.
+/// Of bodies with statistics or values of an acceleration whose angle rate is zero or not recorded, the coordinates
+/// that move, "slider.x" for one.
 std::vector<std::string> find_slider_coordinates(const StageRecord& stage);
 
 }  // namespace gudgeon
