@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <clocale>
 #include <cmath>
 #include <numbers>
@@ -152,15 +153,55 @@ TEST(Expression, TellsThatAFormulaIsTooLong) {
     return text;
   };
   EXPECT_NO_THROW(ExpressionEvaluator(repeat("+t", 9000), {}, {"t"}));
-  for (const std::string& text : {repeat("+t", 11000), repeat("+(t>1)", 3000)}) {
+  const auto expect_too_long = [](const std::string& text, std::size_t from, std::size_t to) {
     try {
       const ExpressionEvaluator evaluator(text, {}, {"t"});
       FAIL() << "it was understood";
     } catch (const ExpressionError& error) {
       EXPECT_THAT(error.what(), HasSubstr("too long: it may have 20000 characters"));
-      EXPECT_EQ(error.position(), 0U);
+      EXPECT_GE(error.position(), from);
+      EXPECT_LE(error.position(), to);
+    }
+  };
+  expect_too_long(repeat("+t", 11000), 20000, 20000);
+  // Of 18 to 21 characters each to muParser.
+  expect_too_long(repeat("+(t>1)", 3000), 6 * 950, 6 * 1112);
+  // Comparisons within comparisons, of all of which the text is kept.
+  expect_too_long(repeat("<t", 9000), 2 * 1000, 2 * 1700);
+}
+
+TEST(Expression, TellsThatAFormulaNestsTooDeep) {
+  const auto nest = [](const std::string& begin, int times) {
+    std::string text;
+    for (int k = 0; k < times; ++k) text += begin;
+    return text + "t" + std::string(static_cast<std::size_t>(times), ')');
+  };
+  const double minus = -3.0;
+  EXPECT_EQ(ExpressionEvaluator(nest("abs(", 200), {}, {"t"}).eval(&minus), 3.0);
+  for (const int times : {201, 3000, 3900}) {
+    try {
+      const ExpressionEvaluator evaluator(nest("abs(", times), {}, {"t"});
+      FAIL() << "it was understood";
+    } catch (const ExpressionError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("its parentheses nest deeper than 200 levels"));
+      EXPECT_EQ(error.position(), 4U * 200U + 3U);
     }
   }
+}
+
+// The time that it takes to refuse a formula grows with its length: seconds, where it grew with the cube of it.
+TEST(Expression, RefusesWhatIsTooLongAtOnce) {
+  std::string chain = "t";
+  for (int k = 0; k < 9999; ++k) chain += "<t";
+  std::string flat = "t";
+  for (int k = 0; k < 2800; ++k) flat += "+abs(t)";
+  const auto start = std::chrono::steady_clock::now();
+  for (int k = 0; k < 20; ++k) {
+    EXPECT_THROW(ExpressionEvaluator(chain, {}, {"t"}), ExpressionError);
+    EXPECT_THROW(ExpressionEvaluator(flat, {}, {"t"}), ExpressionError);
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(taken.count(), 5.0);
 }
 
 }  // namespace

@@ -54,6 +54,12 @@ TEST(FormulaBreaks, AreComparisonsAndFunctionsThatJumpOrBend) {
               ElementsAre("sign(block.x_velocity)", "abs(t - 1)"));
 }
 
+TEST(FormulaBreaks, AreToldAsTheyWereWritten) {
+  EXPECT_THAT(list_texts("abs(min(t, 2)) > (t<1) + 3"),
+              testing::UnorderedElementsAre("abs(min(t, 2))", "min(t, 2)", "abs(min(t, 2)) > (t < 1) + 3", "t < 1"));
+  EXPECT_THAT(list_texts("t < 1 < 2"), testing::UnorderedElementsAre("t < 1", "t < 1 < 2"));
+}
+
 TEST(FormulaBreaks, AreLeftAloneWhereTheHeldPieceHasNoValue) {
   HeldFormula root("abs(t)^0.5");
   const std::vector<int> held = root.find_pieces(1.0);
@@ -62,9 +68,8 @@ TEST(FormulaBreaks, AreLeftAloneWhereTheHeldPieceHasNoValue) {
 }
 
 TEST(FormulaBreaks, HaveTheOperandsThatPrecedenceGives) {
-  EXPECT_THAT(
-      list_texts("(t+1)*2 < 3^2-1 || u >= -t ? (t == 2) : max(t < 1, 2)"),
-      testing::UnorderedElementsAre("(t + 1) * 2 < 3 ^ 2 - 1", "u >= - t", "t == 2", "max(t < 1, 2)", "t < 1"));
+  EXPECT_THAT(list_texts("(t+1)*2 < 3^2-1 || u >= -t ? (t == 2) : max(t < 1, 2)"),
+              testing::UnorderedElementsAre("(t + 1) * 2 < 3 ^ 2 - 1", "u >= - t", "t == 2", "max(t < 1, 2)", "t < 1"));
   EXPECT_THAT(list_texts("3 > t > 1").size(), 2u);
 }
 

@@ -4,6 +4,7 @@
 // Formulas compiled and evaluated by muParser, which no other file knows.
 #include "gudgeon/base/expression.h"
 
+#include <fmt/format.h>
 #include <muParser.h>
 
 #include <algorithm>
@@ -59,6 +60,36 @@ std::size_t find_assignment(const std::string& text) {
   return std::string::npos;
 }
 
+constexpr std::size_t kMostCharacters = 20000;  // what muParser takes
+constexpr int kMostLevels = 200;  // of parentheses; every function around another is run through for each of its breaks
+
+constexpr const char* kTooLong =
+    "it is too long: it may have 20000 characters, and fewer where it compares, or uses abs, min, max and the like; a "
+    "curve can hold more";
+
+/// Where the parentheses go deeper than that; npos when they do not.
+std::size_t find_depth_excess(const std::string& text) {
+  int depth = 0;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    depth += text[k] == '(' ? 1 : text[k] == ')' ? -1 : 0;
+    if (depth > kMostLevels) return k;
+  }
+  return std::string::npos;
+}
+
+/// Throws an ExpressionError for what would take long to be refused, or longer than it is worth.
+void check_extent(const std::string& text) {
+  if (text.size() > kMostCharacters) throw ExpressionError(kTooLong, kMostCharacters);
+  if (const std::size_t at = find_depth_excess(text); at != std::string::npos) {
+    throw ExpressionError(fmt::format("its parentheses nest deeper than {} levels; a chain of 'a ? b : c ? d : e' "
+                                      "needs none, and a curve can hold more",
+                                      kMostLevels),
+                          at);
+  }
+  const std::size_t at = find_marked_excess(text, kMostCharacters);
+  if (at != std::string::npos) throw ExpressionError(kTooLong, at);
+}
+
 std::string describe(const mu::ParserError& error) {
   const std::string quoted = "'" + error.GetToken() + "'";
   switch (error.GetCode()) {
@@ -82,8 +113,7 @@ std::string describe(const mu::ParserError& error) {
     case mu::ecUNTERMINATED_STRING:
       return "text in quotes has no value";
     case mu::ecEXPRESSION_TOO_LONG:
-      return "it is too long: it may have 20000 characters, and fewer where it compares, or uses abs, min, max and "
-             "the like; a curve can hold more";
+      return kTooLong;
     case mu::ecIDENTIFIER_TOO_LONG:
       return "it holds a name of more than 100 characters";
     default:
@@ -179,6 +209,7 @@ ExpressionEvaluator::ExpressionEvaluator(const std::string& text,
   if (assignment != std::string::npos) {
     throw ExpressionError("'=' would assign; write '==' to compare", assignment);
   }
+  check_extent(text);
   mu::Parser& parser = implementation_->parser;
   std::vector<double>& values = implementation_->values;
   values.assign(variables.size() + constants.size(), 0.0);

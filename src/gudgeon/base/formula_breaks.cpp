@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -17,7 +18,14 @@ namespace gudgeon {
 
 namespace {
 
-using Tokens = std::vector<std::string>;
+constexpr int kInserted = -1;
+
+/// A word of the marked formula.
+struct Token {
+  std::string text;
+  int origin = kInserted;  ///< place of the word that it stands for in the formula as written
+};
+using Tokens = std::vector<Token>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Whole numbers beyond this are not told apart as pieces; the function's value is then simply that of its argument.
@@ -34,16 +42,18 @@ constexpr std::pair<std::string_view, BreakKind> kFunctions[] = {
     {"mod", BreakKind::remainder},   {"smooth_step", BreakKind::smooth_step}};
 
 template <std::size_t kSize>
-std::optional<BreakKind> find_kind(const std::pair<std::string_view, BreakKind> (&table)[kSize], const std::string& t) {
+std::optional<BreakKind> find_kind(const std::pair<std::string_view, BreakKind> (&table)[kSize], std::string_view t) {
   for (const auto& [name, kind] : table) {
     if (name == t) return kind;
   }
   return std::nullopt;
 }
 
-Tokens split(const std::string& text) {
+Tokens split(std::span<const FormulaToken> written) {
   Tokens tokens;
-  for (const FormulaToken& token : split_formula(text)) tokens.emplace_back(token.text);
+  for (const FormulaToken& token : written) {
+    tokens.push_back({std::string(token.text), static_cast<int>(tokens.size())});
+  }
   return tokens;
 }
 
@@ -57,7 +67,7 @@ std::size_t find_left_start(const Tokens& tokens, std::size_t comparison) {
   int depth = 0;
   std::size_t start = comparison;
   for (; start > 0; --start) {
-    const std::string& token = tokens[start - 1];
+    const std::string& token = tokens[start - 1].text;
     if (token == ")") ++depth;
     if (token == "(" && depth-- == 0) break;
     if (depth == 0 && ends_operand(token)) break;
@@ -69,7 +79,7 @@ std::size_t find_right_end(const Tokens& tokens, std::size_t comparison) {
   int depth = 0;
   std::size_t end = comparison + 1;
   for (; end < tokens.size(); ++end) {
-    const std::string& token = tokens[end];
+    const std::string& token = tokens[end].text;
     if (token == "(") ++depth;
     if (token == ")" && depth-- == 0) break;
     if (depth == 0 && ends_operand(token)) break;
@@ -80,62 +90,61 @@ std::size_t find_right_end(const Tokens& tokens, std::size_t comparison) {
 // As the parser is told it: it takes no space before a function's parenthesis.
 std::string join(const Tokens& tokens) {
   std::string text;
-  for (const std::string& token : tokens) text += token;
+  for (const Token& token : tokens) text += token.text;
   return text;
 }
 
-bool is_name(const std::string& token) {
+bool is_name(std::string_view token) {
   const auto first = static_cast<unsigned char>(token.front());
   return std::isalpha(first) != 0 || first == '_' || first >= 0x80;
 }
 
-// As it is told to people, functions by their own names.
-std::string spell(const Tokens& tokens, std::size_t from, std::size_t to, const std::vector<FormulaBreak>& breaks) {
-  const auto find_name = [&](const std::string& token) {
-    for (const FormulaBreak& one : breaks) {
-      for (const auto& [name, kind] : kFunctions) {
-        if (token == one.name && kind == one.kind) return std::string(name);
-      }
-    }
-    return token;
-  };
+// As it was written.
+std::string spell(std::span<const FormulaToken> written, const Tokens& tokens, std::size_t from, std::size_t to) {
+  while (tokens[from].origin == kInserted) ++from;
+  while (tokens[to - 1].origin == kInserted) --to;
+  const auto first = static_cast<std::size_t>(tokens[from].origin);
+  const auto last = static_cast<std::size_t>(tokens[to - 1].origin);
   std::string text;
-  for (std::size_t k = from; k < to; ++k) {
-    const std::string& token = tokens[k];
-    const bool joins = k == from || token == ")" || token == "," || tokens[k - 1] == "(" ||
-                       (token == "(" && is_name(tokens[k - 1]));
-    text += (joins ? "" : " ") + find_name(token);
+  for (std::size_t k = first; k <= last; ++k) {
+    const std::string_view token = written[k].text;
+    const bool joins = k == first || token == ")" || token == "," || written[k - 1].text == "(" ||
+                       (token == "(" && is_name(written[k - 1].text));
+    if (!joins) text += ' ';
+    text += token;
   }
   return text;
 }
 
+std::string name_break(std::size_t index) { return "__break_" + std::to_string(index); }
+
 // Comparisons of one rank are read from the left: the first one's operands hold no other at their own depth.
-void mark_comparisons(Tokens& tokens, std::vector<FormulaBreak>& breaks) {
+void mark_comparisons(std::span<const FormulaToken> written, Tokens& tokens, std::vector<FormulaBreak>& breaks) {
   for (std::size_t at = 0; at < tokens.size(); ++at) {
-    const std::optional<BreakKind> kind = find_kind(kComparisons, tokens[at]);
+    const std::optional<BreakKind> kind = find_kind(kComparisons, tokens[at].text);
     if (!kind) continue;
     const std::size_t start = find_left_start(tokens, at);
     const std::size_t end = find_right_end(tokens, at);
-    breaks.push_back({*kind, "__break_" + std::to_string(breaks.size()), spell(tokens, start, end, breaks)});
-    tokens[at] = ",";
-    tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(end), ")");
-    tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(start), {breaks.back().name, "("});
+    breaks.push_back({*kind, name_break(breaks.size()), spell(written, tokens, start, end)});
+    tokens[at].text = ",";
+    tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(end), Token{")"});
+    tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(start), {Token{breaks.back().name}, Token{"("}});
     at = start;  // look again: within the operands there may be others
   }
 }
 
-void mark_functions(Tokens& tokens, std::vector<FormulaBreak>& breaks) {
+void mark_functions(std::span<const FormulaToken> written, Tokens& tokens, std::vector<FormulaBreak>& breaks) {
   for (std::size_t at = 0; at + 1 < tokens.size(); ++at) {
-    const std::optional<BreakKind> kind = find_kind(kFunctions, tokens[at]);
-    if (!kind || tokens[at + 1] != "(") continue;
+    const std::optional<BreakKind> kind = find_kind(kFunctions, tokens[at].text);
+    if (!kind || tokens[at + 1].text != "(") continue;
     int depth = 0;
     std::size_t end = at + 1;
     do {
-      depth += tokens[end] == "(" ? 1 : tokens[end] == ")" ? -1 : 0;
+      depth += tokens[end].text == "(" ? 1 : tokens[end].text == ")" ? -1 : 0;
       ++end;
     } while (depth > 0 && end < tokens.size());
-    breaks.push_back({*kind, "__break_" + std::to_string(breaks.size()), spell(tokens, at, end, breaks)});
-    tokens[at] = breaks.back().name;
+    breaks.push_back({*kind, name_break(breaks.size()), spell(written, tokens, at, end)});
+    tokens[at].text = breaks.back().name;
   }
 }
 
@@ -284,11 +293,27 @@ void note_bounds(BreakKind kind, const double* x, int n, BreakState& state) {
 
 MarkedFormula mark_breaks(const std::string& text) {
   MarkedFormula marked;
-  Tokens tokens = split(text);
-  mark_functions(tokens, marked.breaks);
-  mark_comparisons(tokens, marked.breaks);
+  const std::vector<FormulaToken> written = split_formula(text);
+  Tokens tokens = split(written);
+  mark_functions(written, tokens, marked.breaks);
+  mark_comparisons(written, tokens, marked.breaks);
   marked.text = join(tokens);
   return marked;
+}
+
+std::size_t find_marked_excess(const std::string& text, std::size_t most) {
+  constexpr std::size_t kAround = 3;  // of a comparison that becomes a function: "(", "," and ")"
+  const std::vector<FormulaToken> tokens = split_formula(text);
+  std::size_t size = 0;
+  std::size_t n_breaks = 0;
+  for (std::size_t k = 0; k < tokens.size(); ++k) {
+    const bool compares = find_kind(kComparisons, tokens[k].text).has_value();
+    const bool bends = k + 1 < tokens.size() && tokens[k + 1].text == "(" && find_kind(kFunctions, tokens[k].text);
+    size += compares || bends ? name_break(n_breaks++).size() : tokens[k].text.size();
+    size += compares ? kAround : 0;
+    if (size > most) return static_cast<std::size_t>(tokens[k].position);
+  }
+  return std::string::npos;
 }
 
 double eval_break(BreakKind kind, const double* arguments, int n_arguments, int held, BreakState& state) noexcept {

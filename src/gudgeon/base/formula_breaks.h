@@ -46,6 +46,10 @@ struct MarkedFormula {
 /// The formula's text must be one that can be understood.
 MarkedFormula mark_breaks(const std::string& text);
 
+/// Where the marked formula goes beyond so many characters [bytes in the text]; npos when it does not. In one pass:
+/// marking takes far longer where many breaks lie in one another.
+std::size_t find_marked_excess(const std::string& text, std::size_t most);
+
 /// No piece is held: the argument decides.
 inline constexpr int kFreePiece = std::numeric_limits<int>::min();
 
