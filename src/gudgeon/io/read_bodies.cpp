@@ -5,6 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+#include <string>
+#include <string_view>
 
 #include "gudgeon/io/read_sections.h"
 
@@ -36,14 +41,45 @@ BodyStart read_start(TableReader& body) {
   return start;
 }
 
-Body read_body(const DocumentEntry& entry, ReadLog& log) {
+constexpr std::array<std::string_view, 11> kNamesOfFrames{"ground", "base",       "fixed",  "world",   "chassis", "bed",
+                                                          "stand",  "foundation", "static", "housing", "link0"};
+
+bool lacks_mass(const DocumentEntry& body) {
+  const DocumentNode::Table* keys = body.node.table();
+  return keys != nullptr && find_node(*keys, "mass") == nullptr && find_node(*keys, "inertia") == nullptr;
+}
+
+/// Whether a body without mass is likely to be the one that stands still, under another name than "frame": by its name,
+/// or because it is the only one like that and there is no frame.
+bool may_be_frame(const DocumentEntry& body, const DocumentNode::Table& bodies) {
+  if (!lacks_mass(body)) return false;
+  std::string name = body.key;
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (std::ranges::any_of(kNamesOfFrames, [&](std::string_view n) { return name.starts_with(n); })) return true;
+  return find_node(bodies, kFrameName) == nullptr && std::ranges::count_if(bodies, lacks_mass) == 1;
+}
+
+void report_frame(TableReader& body) {
+  for (const std::string_view key : {"mass", "inertia"}) body.find(key);
+  body.report("E-FILE-002", "mass", "mass and inertia are missing",
+              {fmt::format("the body that stands still is called '{}' and has points only: if this is it, name it so, "
+                           "here and in the joints",
+                           kFrameName)});
+}
+
+Body read_body(const DocumentEntry& entry, const DocumentNode::Table& bodies, ReadLog& log) {
   Body body;
   body.name = entry.key;
   TableReader table{entry.node, "bodies." + entry.key, fmt::format("body '{}'", entry.key), log};
   // The frame does not move: it has points and nothing else.
   if (body.name != kFrameName) {
-    body.mass = table.read_quantity("mass", dimension::kMass);
-    body.inertia = table.read_quantity("inertia", dimension::kInertia);
+    if (may_be_frame(entry, bodies)) {
+      report_frame(table);
+      body.mass = body.inertia = std::numeric_limits<double>::quiet_NaN();  // as what cannot be read
+    } else {
+      body.mass = table.read_quantity("mass", dimension::kMass);
+      body.inertia = table.read_quantity("inertia", dimension::kInertia);
+    }
     body.center_of_mass = table.find_vector("center_of_mass", dimension::kLength).value_or(Vec2{});
     body.start = read_start(table);
   }
@@ -57,7 +93,8 @@ Body read_body(const DocumentEntry& entry, ReadLog& log) {
 std::vector<Body> read_bodies(TableReader& root) {
   std::vector<Body> bodies;
   if (auto table = root.find_table("bodies", "bodies")) {
-    for (const DocumentEntry& entry : table->entries()) bodies.push_back(read_body(entry, root.log()));
+    for (const DocumentEntry& entry : table->entries())
+      bodies.push_back(read_body(entry, table->entries(), root.log()));
   }
   const auto frame = std::ranges::find(bodies, kFrameName, &Body::name);
   if (frame != bodies.end()) {
