@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -35,6 +36,23 @@ int lock_range(int descriptor, off_t place, off_t length) {
 
 bool is_taken(int why) { return why == EAGAIN || why == EACCES; }
 
+/// Opening it failed: the directory takes no new file, or the lock file that is there is another's.
+[[noreturn]] void refuse_lock(const std::filesystem::path& path, int why) {
+  if (why != EACCES && why != EPERM && why != EROFS) fail_file(path, "cannot be created", why);
+  std::error_code unknown;
+  if (std::filesystem::exists(std::filesystem::symlink_status(path, unknown)) && why != EROFS) {
+    throw FileError(
+        fmt::format("{}: the lock file is there and may not be written: {}; remove it when no other user's "
+                    "run is under way in this directory, or give another directory with -o",
+                    path.string(), std::strerror(why)));
+  }
+  const std::filesystem::path directory = path.has_parent_path() ? path.parent_path() : ".";
+  throw FileError(
+      fmt::format("{}: no file can be made in this directory: {}; give another one with -o, or change its "
+                  "permissions",
+                  directory.string(), std::strerror(why)));
+}
+
 int open_lock(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
   const int why = errno;
@@ -44,7 +62,7 @@ int open_lock(const std::filesystem::path& path) {
     if (descriptor >= 0) ::close(descriptor);
     throw FileError(fmt::format("{}: cannot be locked: what is there is no regular file; move it away", path.string()));
   }
-  if (descriptor < 0) fail_file(path, "cannot be created", why);
+  if (descriptor < 0) refuse_lock(path, why);
   return descriptor;
 }
 
