@@ -26,6 +26,11 @@ TEST(ShownText, ShowsWhatWouldCommandATerminal) {
   EXPECT_EQ(find_control("ä\u0085"), "U+0085");
 }
 
+TEST(ShownText, ShowsLineEndsWhereThereIsOneLine) {
+  EXPECT_EQ(show_line("a\tb\nc\rd"), "a\\u0009b\\u000Ac\\u000Dd");
+  EXPECT_EQ(show_line("0.5 µm\xff"), "0.5 µm\\xFF");
+}
+
 TEST(ShownText, ShowsBytesThatAreNoUtf8) {
   EXPECT_EQ(show_controls("\x9b"
                           "31m"),

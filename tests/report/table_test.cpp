@@ -11,6 +11,13 @@
 namespace gudgeon {
 namespace {
 
+TEST(Table, KeepsEachRowOnOneLine) {
+  Table table({{"sta\nge"}, {"value"}});
+  table.add_row({"wear_1\n  forged", "a\tb\x1b[2J"});
+  EXPECT_EQ(table.render(false), "  sta\\u000Age           value\n  wear_1\\u000A  forged  a\\u0009b\\u001B[2J\n");
+  EXPECT_EQ(render_title("case 'a\nb'", false), "\ncase 'a\\u000Ab'\n");
+}
+
 TEST(Table, AlignsColumnsWhateverTheirLetters) {
   Table table({{"name", Alignment::left}, {"value", Alignment::right}, {"note"}});
   table.add_row({"A", "5.768 µm", "ẍ"});

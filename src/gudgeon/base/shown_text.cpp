@@ -29,6 +29,25 @@ std::string_view take_first(std::string_view text, std::size_t count) {
   return text.substr(0, text.size() - rest.size());
 }
 
+/// Code points that are to be hidden, and bytes that are none, as their numbers.
+template <class IsHidden>
+std::string show(std::string_view text, IsHidden is_hidden) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::string_view from = text;
+    const std::optional<char32_t> code = take_code_point(text);
+    const std::string_view piece = from.substr(0, from.size() - text.size());
+    if (!code) {
+      fmt::format_to(std::back_inserter(shown), "\\x{:02X}", static_cast<unsigned char>(piece.front()));
+    } else if (is_hidden(*code)) {
+      fmt::format_to(std::back_inserter(shown), "\\u{:04X}", static_cast<unsigned>(*code));
+    } else {
+      shown += piece;
+    }
+  }
+  return shown;
+}
+
 std::size_t count_code_points(std::string_view text) {
   std::size_t count = 0;
   for (; !text.empty(); ++count) take_code_point(text);
@@ -68,21 +87,11 @@ std::string find_control(std::string_view text) {
 }
 
 std::string show_controls(std::string_view text) {
-  if (std::ranges::all_of(text, is_plain)) return std::string{text};
-  std::string shown;
-  while (!text.empty()) {
-    const std::string_view from = text;
-    const std::optional<char32_t> code = take_code_point(text);
-    const std::string_view piece = from.substr(0, from.size() - text.size());
-    if (!code) {
-      fmt::format_to(std::back_inserter(shown), "\\x{:02X}", static_cast<unsigned char>(piece.front()));
-    } else if (is_control(*code)) {
-      fmt::format_to(std::back_inserter(shown), "\\u{:04X}", static_cast<unsigned>(*code));
-    } else {
-      shown += piece;
-    }
-  }
-  return shown;
+  return std::ranges::all_of(text, is_plain) ? std::string{text} : show(text, is_control);
+}
+
+std::string show_line(std::string_view text) {
+  return show(text, [](char32_t code) { return code == U'\n' || code == U'\t' || is_control(code); });
 }
 
 std::string shorten(std::string_view text, std::size_t most) {

@@ -25,6 +25,9 @@ std::string find_control(std::string_view text);
 /// Every control character as "\u001B", every byte that is no UTF-8 as "\xFF"; newlines and tabs stay.
 std::string show_controls(std::string_view text);
 
+/// The same where a text has one line only: newlines and tabs are control characters, too.
+std::string show_line(std::string_view text);
+
 /// A text of more code points than that as its beginning and its end, and between them how many are left out.
 std::string shorten(std::string_view text, std::size_t most);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gudgeon/analysis/energy_audit.h"
+#include "gudgeon/base/shown_text.h"
 #include "gudgeon/report/comparison_section.h"
 #include "gudgeon/report/joint_section.h"
 #include "gudgeon/report/number_format.h"
@@ -22,8 +23,10 @@ namespace {
 
 std::string render_header(const RunRecord& run, bool color) {
   std::string text = render_title(fmt::format("{}, case '{}'", run.model_file, run.case_name), color).substr(1);
-  text += fmt::format("  written by gudgeon {}\n", run.program_version);
-  for (const auto& [path, value] : run.overrides) text += fmt::format("  {} = {}\n", path, value);
+  text += fmt::format("  written by gudgeon {}\n", show_line(run.program_version));
+  for (const auto& [path, value] : run.overrides) {
+    text += fmt::format("  {} = {}\n", show_line(path), show_line(value));
+  }
   return text;
 }
 

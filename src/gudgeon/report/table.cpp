@@ -56,13 +56,16 @@ std::size_t find_display_width(std::string_view text) {
   return width;
 }
 
-Table::Table(std::vector<TableColumn> columns) : columns_(std::move(columns)) {}
+Table::Table(std::vector<TableColumn> columns) : columns_(std::move(columns)) {
+  for (TableColumn& column : columns_) column.heading = show_line(column.heading);
+}
 
 void Table::add_row(std::vector<std::string> cells) {
   if (cells.size() > columns_.size()) {
     throw std::out_of_range(fmt::format("a row of {} cells in a table of {} columns", cells.size(), columns_.size()));
   }
   cells.resize(columns_.size());
+  for (std::string& cell : cells) cell = show_line(cell);
   rows_.push_back(std::move(cells));
 }
 
@@ -90,7 +93,8 @@ std::string Table::render(bool color) const {
 }
 
 std::string render_title(std::string_view title, bool color) {
-  return color ? fmt::format("\n{}{}{}\n", kBold, title, kPlain) : fmt::format("\n{}\n", title);
+  const std::string shown = show_line(title);
+  return color ? fmt::format("\n{}{}{}\n", kBold, shown, kPlain) : fmt::format("\n{}\n", shown);
 }
 
 }  // namespace gudgeon

@@ -21,7 +21,7 @@ struct TableColumn {
   Alignment alignment = Alignment::left;
 };
 
-/// Rows of text under headings, each column as wide as its widest cell.
+/// Rows of text under headings, each column as wide as its widest cell. Whatever a text holds, a row is one line.
 ///
 ///     stage     status    cycles
 ///     ideal     finished      10
@@ -40,7 +40,7 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// A title line, bold with color, with an empty line before it.
+/// A title of one line, bold with color, with an empty line before it.
 std::string render_title(std::string_view title, bool color);
 
 /// Columns a UTF-8 text takes on a terminal: combining marks none, East Asian wide letters two.
