@@ -17,9 +17,9 @@
 #include "gudgeon/io/hdf5_node.h"
 #include "gudgeon/io/run_reader.h"
 #include "gudgeon/io/run_verifier.h"
-#include "gudgeon/io/run_writer.h"
 #include "tests/io/image_file.h"
 #include "tests/io/scratch_directory.h"
+#include "tests/io/written_run.h"
 #include "tests/results/same_run.h"
 #include "tests/results/synthetic_run.h"
 #include "tests/verification/book/record_fault.h"
@@ -30,16 +30,18 @@ namespace {
 using test::find_message;
 using test::RunBytes;
 using test::ScratchDirectory;
+using test::write_run;
 using testing::HasSubstr;
 
-void write_run(const std::filesystem::path& file, const RunRecord& run) {
-  RunWriter writer(file, run, true);
-  for (const StageRecord& stage : run.stages) writer.append(stage);
-}
-
+/// Two stages with statistics of every channel, as runs have them.
 RunRecord make_small_run() {
   RunRecord run = test::make_run();
   run.stages.erase(run.stages.begin());
+  for (StageRecord& stage : run.stages) {
+    for (const Channel& channel : stage.channels) {
+      if (find_statistics(stage, channel.name) == nullptr) stage.statistics.push_back({channel.name});
+    }
+  }
   return run;
 }
 
@@ -238,7 +240,7 @@ TEST(Damage, GroupsThatLeadBackAreNamedOnce) {
   }
   const RunVerification found = verify_run(scratch / "x.h5");
   ASSERT_EQ(found.troubles.size(), 1u);
-  EXPECT_EQ(found.troubles[0], "/stages/wear_1/back: the group has another name, too");
+  EXPECT_EQ(found.troubles[0], "/stages/wear_1/back: it is /stages under another name, too");
 }
 
 /// What reading says of a run that was changed before it was written.

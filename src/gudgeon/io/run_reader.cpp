@@ -12,17 +12,25 @@
 #include <string_view>
 
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/base/shown_text.h"
 #include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/hdf5_file.h"
 #include "gudgeon/io/hdf5_node.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/run_tables.h"
 #include "gudgeon/io/safe_file.h"
+#include "gudgeon/io/stage_checks.h"
 #include "gudgeon/io/stage_reader.h"
 
 namespace gudgeon {
 
 namespace {
+
+/// What names of a file put into it commands no terminal, is one line, and is not endless.
+std::string show_trouble(std::string_view why) {
+  constexpr std::size_t kLongest = 1000;
+  return shorten(show_line(why), kLongest);
+}
 
 /// Runs a reading function and adds path and next step to whatever goes wrong in it.
 template <class Read>
@@ -40,8 +48,8 @@ auto read_inside(const std::filesystem::path& file, Read read) {
   } catch (const std::length_error&) {
     why = "it does not fit into memory";
   }
-  throw FileError(
-      fmt::format("{}: cannot be read as a run file: {}; give a file that 'gudgeon run' wrote", file.string(), why));
+  throw FileError(fmt::format("{}: cannot be read as a run file: {}; give a file that 'gudgeon run' wrote",
+                              file.string(), show_trouble(why)));
 }
 
 /// Adds the stage's name to troubles inside it.
@@ -83,6 +91,7 @@ RunRecord read_outline(const Hdf5Handle& root) {
   RunRecord run = read_header(root);
   const Hdf5Handle stages = open_group(root, "stages");
   for (const std::string& name : find_children(stages)) {
+    check_stage_name(name);
     run.stages.push_back(read_in_stage(name, [&] { return read_stage_outline(stages, name); }));
   }
   return run;

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/base/shown_text.h"
 #include "gudgeon/io/record_fields.h"
 
 namespace gudgeon {
@@ -20,6 +21,23 @@ namespace {
 
 [[noreturn]] void refuse(std::string_view what, double value) {
   throw FileError(fmt::format("'{}' is {}, which no run has", what, value));
+}
+
+/// Texts of one line each.
+void check_line(std::string_view what, std::string_view text) {
+  if (show_line(text) == text) return;
+  throw FileError(fmt::format("{} '{}' holds control characters, which no run has", what, show_line(text)));
+}
+
+void check_texts(const StageRecord& stage) {
+  for (const Channel& channel : stage.channels) {
+    check_line("the channel", channel.name);
+    check_line("the symbol", channel.symbol);
+    check_line("the unit", channel.unit);
+    check_line("the description", channel.description);
+  }
+  for (const JointWear& wear : stage.wear) check_line("the joint", wear.joint);
+  for (const ChannelStatistics& s : stage.statistics) check_line("the channel", s.channel);
 }
 
 template <class Record, class Fields>
@@ -85,7 +103,18 @@ void check_event(const ContactEvent& event, const StageRecord& stage) {
 
 }  // namespace
 
+void check_stage_name(std::string_view name) {
+  constexpr std::size_t kLongest = 100;  // [bytes] files are named after it, with endings
+  const bool is_plain = std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+  if (is_plain && !name.empty() && name.size() <= kLongest) return;
+  throw FileError(fmt::format("no run has a stage of the name '{}': names are of letters, digits and '_', at most {}",
+                              shorten(show_line(name), kLongest), kLongest));
+}
+
 void check_stage(const StageRecord& stage) {
+  check_texts(stage);
   require_finite(stage, kStageReals);
   if (stage.cycle_time < 0.0) refuse("cycle_time", stage.cycle_time);
   if (stage.status == StageStatus::finished) require_finite(stage.ledger, kEnergyReals);
