@@ -24,11 +24,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     read_run_header(path);
     RunRecord outline = read_run_outline(path);
-    for (StageRecord& stage : outline.stages) {
+    read_channels(path, outline.stages, [](const StageRecord& stage) {
       std::vector<std::string> names;
       for (const Channel& channel : stage.channels) names.push_back(channel.name);
-      read_channels(path, stage, names);
-    }
+      return names;
+    });
     read_run(path);
   } catch (const FileError& error) {
     fuzz::require(error.what()[0] != '\0', "an error says why");

@@ -278,8 +278,9 @@ std::vector<StageRecord> read_stages(const std::filesystem::path& file, std::siz
   std::vector<StageRecord> read;
   for (std::size_t k = first; k < names.size(); ++k) {
     read.push_back(read_stage_outline(stages, names[k]));
-    read_stage_time(stages, read.back());
-    read_stage_values(stages, read.back(), 0);
+    const StageSamples samples(stages, names[k]);
+    samples.read_time(read.back());
+    samples.read_values(read.back(), 0);
   }
   return read;
 }

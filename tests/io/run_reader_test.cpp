@@ -9,14 +9,16 @@
 
 #include <array>
 #include <cstdlib>
+#include <fstream>
+#include <span>
 
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/hdf5_file.h"
 #include "gudgeon/io/hdf5_node.h"
-#include "gudgeon/io/run_writer.h"
 #include "tests/io/image_file.h"
 #include "tests/io/scratch_directory.h"
+#include "tests/io/written_run.h"
 #include "tests/results/same_bits.h"
 #include "tests/results/synthetic_run.h"
 
@@ -30,12 +32,8 @@ using test::find_message;
 using test::have_same_bits;
 using test::make_run;
 using test::ScratchDirectory;
+using test::write_run;
 using testing::HasSubstr;
-
-void write_all(const std::filesystem::path& file, const RunRecord& run) {
-  RunWriter writer(file, run, false);
-  for (const StageRecord& stage : run.stages) writer.append(stage);
-}
 
 std::array<double, 13> list_energy(const EnergyLedger& l) {
   return {l.initial_energy,  l.kinetic,  l.potential,    l.elastic,   l.driver_work, l.load_work, l.damper_loss,
@@ -132,7 +130,7 @@ RunRecord make_hard_run() {
 TEST(RunReader, ReadsEverythingBackToTheLastBit) {
   const ScratchDirectory scratch;
   const RunRecord run = make_hard_run();
-  write_all(scratch / "x.h5", run);
+  write_run(scratch / "x.h5", run);
   const RunRecord back = read_run(scratch / "x.h5");
   expect_same_header(run, back);
   ASSERT_EQ(back.stages.size(), run.stages.size());
@@ -149,7 +147,7 @@ TEST(RunReader, ReadsEverythingBackToTheLastBit) {
 TEST(RunReader, OutlineLeavesValuesToBeReadLater) {
   const ScratchDirectory scratch;
   const RunRecord run = make_run();
-  write_all(scratch / "x.h5", run);
+  write_run(scratch / "x.h5", run);
   RunRecord outline = read_run_outline(scratch / "x.h5");
   expect_same_header(run, outline);
   StageRecord& stage = outline.stages[1];
@@ -157,16 +155,52 @@ TEST(RunReader, OutlineLeavesValuesToBeReadLater) {
   EXPECT_TRUE(stage.time.empty());
   EXPECT_EQ(stage.values, std::vector<std::vector<double>>(stage.channels.size()));
 
-  const std::vector<std::string> wanted{"A.normal_force", "slider.x"};
-  read_channels(scratch / "x.h5", stage, wanted);
+  const auto read = [&](std::vector<std::string> names) {
+    read_channels(scratch / "x.h5", std::span(&stage, 1), [&](const StageRecord&) { return names; });
+  };
+  read({"A.normal_force", "slider.x"});
   EXPECT_TRUE(have_same_bits(stage.time, run.stages[1].time));
   EXPECT_TRUE(have_same_bits(stage.values[6], run.stages[1].values[6]));
   EXPECT_TRUE(have_same_bits(stage.values[0], run.stages[1].values[0]));
   EXPECT_TRUE(stage.values[1].empty());
 
-  const std::vector<std::string> unknown{"slider.z"};
-  EXPECT_THAT(find_message<FileError>([&] { read_channels(scratch / "x.h5", stage, unknown); }),
+  EXPECT_THAT(find_message<FileError>([&] { read({"slider.z"}); }),
               HasSubstr("stage 'no_wear': channel 'slider.z' was not recorded"));
+}
+
+/// How often this process has read so far.
+double count_reads() {
+  std::ifstream in("/proc/self/io");
+  std::string key;
+  double count = 0.0;
+  while (in >> key >> count && key != "syscr:") continue;
+  EXPECT_EQ(key, "syscr:");
+  return count;
+}
+
+/// How often it reads for what 'gudgeon info' tells of a run of so many stages.
+double measure_reading(std::size_t n_stages) {
+  const ScratchDirectory scratch;
+  RunRecord run = make_run();
+  StageRecord stage = run.stages[1];
+  run.stages.clear();
+  for (std::size_t k = 0; k < n_stages; ++k) {
+    stage.name = "wear_" + std::to_string(k);
+    run.stages.push_back(stage);
+  }
+  write_run(scratch / "x.h5", run);
+  const double before = count_reads();
+  RunRecord outline = read_run_outline(scratch / "x.h5");
+  read_channels(scratch / "x.h5", outline.stages, [](const StageRecord&) { return std::vector<std::string>{}; });
+  EXPECT_EQ(outline.stages.back().time.size(), test::kSamples);
+  return count_reads() - before;
+}
+
+// The list of stages lies in as many pieces as there were stages: read for each of them, it would take the square.
+TEST(RunReader, ReadsInProportionToTheStages) {
+  const double few = measure_reading(50);
+  const double many = measure_reading(400);
+  EXPECT_LT(many, 10.0 * few) << few << " and " << many;
 }
 
 TEST(RunReader, LongSeriesSpanManyChunks) {
@@ -176,7 +210,7 @@ TEST(RunReader, LongSeriesSpanManyChunks) {
   for (int i = 0; stage.time.size() < 100'003; ++i) stage.time.push_back(2.0 + 0.01 * i);
   for (auto& values : stage.values) values.resize(stage.time.size());
   for (std::size_t i = 0; i < stage.time.size(); ++i) stage.values[2][i] = std::sin(static_cast<double>(i));
-  write_all(scratch / "x.h5", run);
+  write_run(scratch / "x.h5", run);
   EXPECT_TRUE(have_same_bits(read_run(scratch / "x.h5").stages[0].values[2], stage.values[2]));
 }
 
@@ -199,7 +233,7 @@ TEST(RunReader, RefusesWhatIsNoRunFile) {
 
 TEST(RunReader, EveryTruncationIsAnErrorAndNoCrash) {
   const ScratchDirectory scratch;
-  write_all(scratch / "x.h5", make_run());
+  write_run(scratch / "x.h5", make_run());
   const std::string whole = test::read_text_file(scratch / "x.h5");
   for (std::size_t size = 0; size < whole.size(); size += whole.size() / 40) {
     test::write_text_file(scratch / "cut.h5", whole.substr(0, size));
@@ -211,7 +245,7 @@ TEST(RunReader, EveryTruncationIsAnErrorAndNoCrash) {
 int read_damaged_files(const ScratchDirectory& scratch) {
   RunRecord small = make_run();
   small.stages.resize(2);
-  write_all(scratch / "x.h5", small);
+  write_run(scratch / "x.h5", small);
   const std::string whole = test::read_text_file(scratch / "x.h5");
   int n_errors = 0;
   for (std::size_t at = 0; at < whole.size(); at += 199) {
@@ -244,7 +278,7 @@ TEST(RunReaderDeathTest, DamageLeavesNothingToCloseAtExit) {
 
 TEST(RunReader, FailureIsAtTheRoot) {
   const ScratchDirectory scratch;
-  write_all(scratch / "x.h5", make_hard_run());
+  write_run(scratch / "x.h5", make_hard_run());
   const Hdf5Session session;
   const Hdf5Source source(scratch / "x.h5");
   const Hdf5Handle failure = open_group(source.root(), "failure");

@@ -60,13 +60,13 @@ void print_troubles(const std::vector<CaseRun>& cases) {
 std::string summarize_case(const CaseRun& one, RunRecord run) {
   const std::vector<std::string> ideal = find_ideal_channels(run);
   const std::unordered_set<std::string_view> wanted(ideal.begin(), ideal.end());
-  for (StageRecord& stage : run.stages) {
+  read_channels(one.file, run.stages, [&](const StageRecord& stage) {
     std::vector<std::string> channels;
     for (const Channel& channel : stage.channels) {
       if (wanted.contains(channel.name)) channels.push_back(channel.name);
     }
-    read_channels(one.file, stage, channels);
-  }
+    return channels;
+  });
   return render_summary(run, make_published(one.published), find_color_wanted());
 }
 

@@ -78,9 +78,10 @@ void read_samples(const ExportOptions& options, RunRecord& run) {
     throw UsageError(fmt::format("--channel {}: no channel has such a name; 'gudgeon info {}' lists them", pattern,
                                  options.file.string()));
   }
+  const auto choose = [&](const StageRecord& stage) { return find_channels(stage, options.channels); };
+  read_channels(options.file, run.stages, choose);
   for (StageRecord& stage : run.stages) {
-    const std::vector<std::string> names = find_channels(stage, options.channels);
-    read_channels(options.file, stage, names);
+    const std::vector<std::string> names = choose(stage);
     const std::set<std::string> wanted(names.begin(), names.end());
     std::erase_if(stage.statistics, [&](const ChannelStatistics& s) { return !wanted.contains(s.channel); });
   }

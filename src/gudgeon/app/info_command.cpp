@@ -26,7 +26,8 @@ struct InfoOptions {
 
 ExitCode show_content(const std::filesystem::path& file) {
   RunRecord run = read_run_outline(file);
-  for (StageRecord& stage : run.stages) read_channels(file, stage, {});  // times only: samples are counted
+  const auto none = [](const StageRecord&) { return std::vector<std::string>{}; };
+  read_channels(file, run.stages, none);  // times only: samples are counted
   write_stdout(render_info(run, find_color_wanted()));
   return ExitCode::done;
 }
@@ -43,6 +44,7 @@ ExitCode verify(const std::filesystem::path& file) {
                    : fmt::format("{}: readable: {}; format {} has no checksums, so that changed numbers would not be "
                                  "noticed; run again to have them\n",
                                  file.string(), read, found.format_version));
+  for (const std::string& remark : found.remarks) write_stdout(fmt::format("  {}\n", remark));
   return ExitCode::done;
 }
 

@@ -62,11 +62,11 @@ void require_new_case(const std::vector<ReadRun>& runs, const ReadRun& one) {
 }
 
 void read_into(const std::filesystem::path& file, RunRecord& run, const std::optional<Scene>& scene) {
-  for (StageRecord& stage : run.stages) {
+  read_channels(file, run.stages, [&](const StageRecord& stage) {
     std::vector<std::string> channels = find_figure_channels(run, stage);
     if (scene) std::ranges::copy(find_pose_channels(*scene, stage), std::back_inserter(channels));
-    read_channels(file, stage, channels);
-  }
+    return channels;
+  });
 }
 
 }  // namespace

@@ -52,13 +52,22 @@ bool keeps_order(const Hdf5Handle& group) {
   return (order & H5P_CRT_ORDER_TRACKED) != 0;
 }
 
-herr_t keep_name(hid_t, const char* name, const H5L_info_t*, void* names) {
+struct FoundLink {
+  std::string name;
+  H5L_type_t type;
+};
+
+herr_t keep_link(hid_t, const char* name, const H5L_info_t* link, void* links) {
   try {
-    static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+    static_cast<std::vector<FoundLink>*>(links)->push_back({name, link->type});
     return 0;
   } catch (const std::bad_alloc&) {
     return -1;  // an exception may not go through the library
   }
+}
+
+[[noreturn]] void refuse_link(std::string_view what, const std::string& name) {
+  throw FileError(fmt::format("{} '{}' is a link to elsewhere where a run file has its own", what, name));
 }
 
 }  // namespace
@@ -97,8 +106,7 @@ Hdf5Handle open_group(const Hdf5Handle& parent, const std::string& name) {
 
 void require_link(const Hdf5Handle& parent, const std::string& name, std::string_view what) {
   if (!has_link(parent, name)) throw FileError(fmt::format("{} '{}' is missing", what, name));
-  if (find_link_type(parent, name) == H5L_TYPE_HARD) return;
-  throw FileError(fmt::format("{} '{}' is a link to elsewhere where a run file has its own", what, name));
+  if (find_link_type(parent, name) != H5L_TYPE_HARD) refuse_link(what, name);
 }
 
 bool is_group(const Hdf5Handle& parent, const std::string& name) {
@@ -133,11 +141,16 @@ std::uint64_t find_address(const Hdf5Handle& parent, const std::string& name) {
 bool has_attribute(const Hdf5Handle& node, const std::string& name) { return H5Aexists(node.id(), name.c_str()) > 0; }
 
 std::vector<std::string> find_members(const Hdf5Handle& group) {
-  std::vector<std::string> names;
+  // HDF5 finds a link by going through all before it: what the listing tells of each is not asked again.
+  std::vector<FoundLink> links;
   const H5_index_t index = keeps_order(group) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
-  check_status(H5Literate(group.id(), index, H5_ITER_INC, nullptr, keep_name, &names), "cannot list group", "");
-  std::erase_if(names, [&](const std::string& name) { return find_link_type(group, name) == H5L_TYPE_SOFT; });
-  for (const std::string& name : names) require_link(group, name, "member");
+  check_status(H5Literate(group.id(), index, H5_ITER_INC, nullptr, keep_link, &links), "cannot list group", "");
+  std::vector<std::string> names;
+  for (FoundLink& link : links) {
+    if (link.type == H5L_TYPE_SOFT) continue;
+    if (link.type != H5L_TYPE_HARD) refuse_link("member", link.name);
+    names.push_back(std::move(link.name));
+  }
   return names;
 }
 

@@ -98,17 +98,19 @@ RunRecord read_outline(const Hdf5Handle& root) {
 }
 
 void read_all_values(const Hdf5Handle& stages, StageRecord& stage) {
-  read_stage_time(stages, stage);
-  for (std::size_t k = 0; k < stage.channels.size(); ++k) read_stage_values(stages, stage, k);
+  const StageSamples samples(stages, stage.name);
+  samples.read_time(stage);
+  for (std::size_t k = 0; k < stage.channels.size(); ++k) samples.read_values(stage, k);
 }
 
 void read_some_values(const Hdf5Handle& stages, StageRecord& stage, std::span<const std::string> channels) {
-  read_stage_time(stages, stage);
+  const StageSamples samples(stages, stage.name);
+  samples.read_time(stage);
   stage.values.resize(stage.channels.size());
   for (const std::string& name : channels) {
     const auto found = std::ranges::find(stage.channels, name, &Channel::name);
     if (found == stage.channels.end()) throw FileError(fmt::format("channel '{}' was not recorded", name));
-    read_stage_values(stages, stage, static_cast<std::size_t>(found - stage.channels.begin()));
+    samples.read_values(stage, static_cast<std::size_t>(found - stage.channels.begin()));
   }
 }
 
@@ -127,11 +129,13 @@ RunRecord read_run_header(const std::filesystem::path& file) { return read_insid
 
 RunRecord read_run_outline(const std::filesystem::path& file) { return read_inside(file, read_outline); }
 
-void read_channels(const std::filesystem::path& file, StageRecord& stage, std::span<const std::string> channels) {
+void read_channels(const std::filesystem::path& file, std::span<StageRecord> stages, const ChooseChannels& choose) {
   read_inside(file, [&](const Hdf5Handle& root) {
     check_format(root);
-    const Hdf5Handle stages = open_group(root, "stages");
-    read_in_stage(stage.name, [&] { read_some_values(stages, stage, channels); });
+    const Hdf5Handle group = open_group(root, "stages");
+    for (StageRecord& stage : stages) {
+      read_in_stage(stage.name, [&] { read_some_values(group, stage, choose(stage)); });
+    }
   });
 }
 

@@ -5,8 +5,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "gudgeon/results/run_record.h"
 
@@ -21,7 +23,10 @@ RunRecord read_run_header(const std::filesystem::path& file);
 /// All but StageRecord::values and time; values has an empty vector for each channel.
 RunRecord read_run_outline(const std::filesystem::path& file);
 
-/// Fills time and the values of those channels of a stage from read_run_outline; leaves other values as they are.
-void read_channels(const std::filesystem::path& file, StageRecord& stage, std::span<const std::string> channels);
+/// The channels of a stage whose values are wanted.
+using ChooseChannels = std::function<std::vector<std::string>(const StageRecord& stage)>;
+
+/// Fills time and the values of the chosen channels of stages from read_run_outline; leaves other values as they are.
+void read_channels(const std::filesystem::path& file, std::span<StageRecord> stages, const ChooseChannels& choose);
 
 }  // namespace gudgeon

@@ -181,12 +181,17 @@ std::vector<double> read_times(const Hdf5Handle& stage) {
   return has_link(stage, kTime) ? read_series(stage, kTime) : read_series(open_group(stage, kChannels), kTime);
 }
 
-std::vector<double> read_channel(const Hdf5Handle& stage, const std::string& name) {
-  const Hdf5Handle channels = open_group(stage, kChannels);
-  if (has_link(channels, name)) return read_series(channels, name);
+ChannelReader::ChannelReader(const Hdf5Handle& stage) : channels_(open_group(stage, kChannels)) {}
+
+std::vector<double> ChannelReader::read(const std::string& name) const {
   const Place place = find_place(name);
-  if (place.owner.empty()) return read_series(channels, name);
-  return read_series(open_group(channels, place.owner), place.quantity);
+  // Format 1 has no groups.
+  if (place.owner.empty() || has_link(channels_, name)) return read_series(channels_, name);
+  if (place.owner != owner_name_) {
+    owner_ = open_group(channels_, place.owner);
+    owner_name_ = place.owner;
+  }
+  return read_series(*owner_, place.quantity);
 }
 
 }  // namespace gudgeon

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,17 @@ void cut_channels(const Hdf5Handle& stage, std::size_t n_samples);
 /// In the order of their groups; of format 1, as they were recorded.
 std::vector<Channel> read_channel_list(const Hdf5Handle& stage);
 std::vector<double> read_times(const Hdf5Handle& stage);
-std::vector<double> read_channel(const Hdf5Handle& stage, const std::string& name);
+
+/// Reads channels of one stage; those of one owner in a row open its group once.
+class ChannelReader {
+ public:
+  explicit ChannelReader(const Hdf5Handle& stage);
+  std::vector<double> read(const std::string& name) const;
+
+ private:
+  Hdf5Handle channels_;
+  mutable std::string owner_name_;
+  mutable std::optional<Hdf5Handle> owner_;
+};
 
 }  // namespace gudgeon

@@ -96,14 +96,17 @@ StageRecord read_stage_outline(const Hdf5Handle& stages, const std::string& name
   return stage;
 }
 
-void read_stage_time(const Hdf5Handle& stages, StageRecord& stage) {
-  stage.time = read_times(open_group(stages, stage.name));
+StageSamples::StageSamples(const Hdf5Handle& stages, const std::string& name)
+    : stage_(open_group(stages, name)), channels_(stage_) {}
+
+void StageSamples::read_time(StageRecord& stage) const {
+  stage.time = read_times(stage_);
   check_times(stage.time);
 }
 
-void read_stage_values(const Hdf5Handle& stages, StageRecord& stage, std::size_t k) {
+void StageSamples::read_values(StageRecord& stage, std::size_t k) const {
   const std::string& name = stage.channels[k].name;
-  std::vector<double> values = read_channel(open_group(stages, stage.name), name);
+  std::vector<double> values = channels_.read(name);
   if (values.size() != stage.time.size()) {
     throw FileError(
         fmt::format("channel '{}' has {} samples where time has {}", name, values.size(), stage.time.size()));

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "gudgeon/io/hdf5_handle.h"
+#include "gudgeon/io/stage_channels.h"
 #include "gudgeon/results/run_record.h"
 
 namespace gudgeon {
@@ -14,8 +15,18 @@ namespace gudgeon {
 /// The stage without time and values.
 StageRecord read_stage_outline(const Hdf5Handle& stages, const std::string& name);
 
-/// Fills time, and the values of channel k.
-void read_stage_time(const Hdf5Handle& stages, StageRecord& stage);
-void read_stage_values(const Hdf5Handle& stages, StageRecord& stage, std::size_t k);
+/// The samples of one stage; its groups are opened once.
+class StageSamples {
+ public:
+  StageSamples(const Hdf5Handle& stages, const std::string& name);
+
+  void read_time(StageRecord& stage) const;
+  /// Of channel k.
+  void read_values(StageRecord& stage, std::size_t k) const;
+
+ private:
+  Hdf5Handle stage_;
+  ChannelReader channels_;
+};
 
 }  // namespace gudgeon
