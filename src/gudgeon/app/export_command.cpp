@@ -87,11 +87,27 @@ void read_samples(const ExportOptions& options, RunRecord& run) {
   }
 }
 
+/// UsageError for a unit that no column has, or that another one takes the place of.
+void check_units(const RunRecord& run, const std::vector<CsvUnit>& units) {
+  const std::set<std::string> written = list_csv_units(run);
+  for (auto unit = units.begin(); unit != units.end(); ++unit) {
+    if (!written.contains(unit->si)) {
+      throw UsageError(fmt::format("--unit {}: no column is of its dimension; in SI there are {}", unit->text,
+                                   fmt::join(written, ", ")));
+    }
+    const auto before = std::find_if(units.begin(), unit, [&](const CsvUnit& u) { return u.si == unit->si; });
+    if (before == unit) continue;
+    throw UsageError(
+        fmt::format("--unit {}: --unit {} is of the same dimension; give one of them", unit->text, before->text));
+  }
+}
+
 ExitCode run_export(ExportOptions& options) {
   for (const std::string& unit : options.units) options.csv.units.push_back(read_unit(unit));
   RunRecord run = read_run_outline(options.file);
   select_stages(run, options.stages);
   read_samples(options, run);
+  check_units(run, options.csv.units);
   for (const auto& path : export_csv(run, options.directory, options.overwrite, options.csv)) {
     write_stdout(fmt::format("{}\n", path.string()));
   }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -248,6 +249,19 @@ void make_directory(const std::filesystem::path& directory) {
 }
 
 }  // namespace
+
+std::set<std::string> list_csv_units(const RunRecord& run) {
+  std::set<std::string> units;
+  for (const StageRecord& stage : run.stages) {
+    units.insert({"s", "J"});
+    if (!stage.wear.empty()) units.insert({"m", "m/s", "rad", "N"});
+    for (std::size_t k = 0; k < stage.channels.size(); ++k) {
+      if (k < stage.values.size() && !stage.values[k].empty()) units.insert(stage.channels[k].unit);
+    }
+  }
+  units.erase("");
+  return units;
+}
 
 std::vector<std::filesystem::path> export_csv(const RunRecord& run, const std::filesystem::path& directory,
                                               bool overwrite, const CsvOptions& options) {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct CsvOptions {
   std::vector<CsvUnit> units;  ///< all others are SI and radians
   bool decimal_comma = false;  ///< "0,5", and semicolons between cells
 };
+
+/// The SI units of the columns that export_csv() writes.
+std::set<std::string> list_csv_units(const RunRecord& run);
 
 /// Writes into the directory, which is made when missing, for every stage
 ///   STAGE_channels.csv    time and every channel whose values were read, a row a sample
