@@ -60,8 +60,9 @@ void update_outcome(CaseRun& one, const StageRecord& stage) {
   add_message(one, stage, stage.message);
 }
 
-/// What the case's file holds, without samples; FileError when it is not of this model and program.
-RunRecord read_earlier_run(const CaseRun& one, const RunRecord& header) {
+/// What the case's file holds, without samples; what is not used of what lies beside it is told. FileError when it is
+/// not of this model and program.
+RunRecord read_earlier_run(const CaseRun& one, const RunRecord& header, ProgressDisplay& display, int index) {
   if (!std::filesystem::exists(one.file)) return {};
   RunRecord earlier = read_run_outline(one.file);
   if (earlier.explained != header.explained || earlier.program_version != header.program_version) {
@@ -70,7 +71,7 @@ RunRecord read_earlier_run(const CaseRun& one, const RunRecord& header) {
                     "--overwrite runs the case anew",
                     one.file.string()));
   }
-  require_sound(one.file);
+  for (const std::string& remark : require_sound(one.file).remarks) display.tell(index, remark, true);
   return earlier;
 }
 
@@ -88,7 +89,7 @@ void run_stages(CaseRun& one, const ModelFile& model, int index, Existing existi
       one.file, header, [&](std::string_view line, bool is_trouble) { around.display.tell(index, line, is_trouble); });
   std::vector<StageRecord> finished;
   if (existing == Existing::resume) {
-    RunRecord earlier = read_earlier_run(one, header);
+    RunRecord earlier = read_earlier_run(one, header, around.display, index);
     checkpoints.read(earlier);
     finished = std::move(earlier.stages);
     std::erase_if(finished, [](const StageRecord& stage) { return stage.status != StageStatus::finished; });

@@ -4,6 +4,7 @@
 // Journals as sealed bytes.
 #include "gudgeon/io/page_journal.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -37,6 +38,20 @@ bool is_of_file(const PageJournal& journal, int descriptor) {
     if (now[i] != journal.first_before[i] && now[i] != after[i]) return false;
   }
   return true;
+}
+
+/// The journal beside the file, of whatever file it is; nothing when there is none that is whole.
+std::optional<PageJournal> read_any_journal(const std::filesystem::path& file) {
+  std::error_code none;
+  const std::filesystem::path path = find_journal(file);
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, none))) return std::nullopt;
+  // At most all of the file changed, and the new end of it.
+  const std::uintmax_t most = 2 * std::filesystem::file_size(file, none) + (1U << 20U);
+  if (none || std::filesystem::file_size(path, none) > most || none) return std::nullopt;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return std::nullopt;
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  return unpack_journal(bytes);
 }
 
 }  // namespace
@@ -79,18 +94,18 @@ Hdf5Target::Page read_page(int descriptor, std::uint64_t number) {
 }
 
 std::optional<PageJournal> read_journal(const std::filesystem::path& file, int descriptor) {
-  std::error_code none;
-  const std::filesystem::path path = find_journal(file);
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, none))) return std::nullopt;
-  // At most all of the file changed, and the new end of it.
-  const std::uintmax_t most = 2 * std::filesystem::file_size(file, none) + (1U << 20U);
-  if (none || std::filesystem::file_size(path, none) > most || none) return std::nullopt;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return std::nullopt;
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  std::optional<PageJournal> journal = unpack_journal(bytes);
+  std::optional<PageJournal> journal = read_any_journal(file);
   if (journal && !is_of_file(*journal, descriptor)) return std::nullopt;
   return journal;
+}
+
+bool has_foreign_journal(const std::filesystem::path& file) {
+  const std::optional<PageJournal> journal = read_any_journal(file);
+  const int descriptor = journal ? ::open(file.c_str(), O_RDONLY | O_CLOEXEC) : -1;
+  if (descriptor < 0) return false;
+  const bool is_foreign = !is_of_file(*journal, descriptor);
+  ::close(descriptor);
+  return is_foreign;
 }
 
 }  // namespace gudgeon

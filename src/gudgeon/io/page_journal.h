@@ -34,6 +34,9 @@ std::optional<PageJournal> unpack_journal(std::string_view bytes);
 /// each.
 std::optional<PageJournal> read_journal(const std::filesystem::path& file, int descriptor);
 
+/// Whether the journal beside the file is whole, but of another file: it was copied there, and is not used.
+bool has_foreign_journal(const std::filesystem::path& file);
+
 /// The page as it is on the disk, zeros beyond its end.
 Hdf5Target::Page read_page(int descriptor, std::uint64_t number);
 

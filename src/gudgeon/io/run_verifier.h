@@ -18,12 +18,13 @@ struct RunVerification {
   std::size_t n_stages = 0;
   std::size_t n_datasets = 0;         ///< that were read whole
   std::vector<std::string> troubles;  ///< what is damaged or cannot be, one line each; none in a sound file
+  std::vector<std::string> remarks;   ///< what lies beside it and is not used, one line each
 };
 
 /// FileError when the file cannot be opened as a run file at all.
 RunVerification verify_run(const std::filesystem::path& file);
 
 /// FileError that names everything damaged.
-void require_sound(const std::filesystem::path& file);
+RunVerification require_sound(const std::filesystem::path& file);
 
 }  // namespace gudgeon
