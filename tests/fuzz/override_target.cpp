@@ -7,20 +7,11 @@
 
 #include "gudgeon/io/model_reader.h"
 #include "tests/fuzz/target.h"
+#include "tests/io/pendulum_model.h"
 
 namespace {
 
-constexpr const char* kModel = R"(name = "pendulum"
-[bodies.frame]
-points = { O = [0, 0] }
-[bodies.bar]
-mass = "1 kg"
-inertia = "1 kg m^2"
-points = { O = [0, 0], tip = ["1 m", 0] }
-[joints.O]
-type = "revolute"
-between = ["frame.O", "bar.O"]
-[loads.push]
+constexpr const char* kMore = R"([loads.push]
 point = "bar.tip"
 force = ["k*t", "1 N"]
 constants = { k = 2 }
@@ -34,7 +25,7 @@ set = { "bodies.bar.mass" = "2 kg" }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gudgeon;
-  static const ModelDocument document("m.toml", kModel);
+  static const ModelDocument document("m.toml", test::make_pendulum_model(kMore));
   std::vector<Override> overrides;
   std::string_view rest = fuzz::make_text(data, size);
   while (!rest.empty()) {

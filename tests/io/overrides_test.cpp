@@ -7,21 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "gudgeon/io/model_reader.h"
+#include "tests/io/pendulum_model.h"
 
 namespace gudgeon {
 namespace {
 
-constexpr const char* kPendulumModel = R"(name = "pendulum"
-[bodies.frame]
-points = { O = [0, 0] }
-[bodies.bar]
-mass = "1 kg"
-inertia = "1 kg m^2"
-points = { O = [0, 0], tip = ["1 m", 0] }
-[joints.O]
-type = "revolute"
-between = ["frame.O", "bar.O"]
-[cases.heavy]
+const std::string kPendulumModel = test::make_pendulum_model(R"([cases.heavy]
 description = "twice the mass"
 set = { "bodies.bar.mass" = "2 kg", "study.cycles" = 7, bodies.bar.inertia = 3 }
 [cases.broken]
@@ -29,7 +20,7 @@ set = { "bodies.bar.mass" = "-2 kg" }
 [cases.lost]
 [cases.lost.set]
 "bodies.baar.mass" = 1
-)";
+)");
 
 ModelFile read_with(std::string_view case_name, std::vector<Override> overrides) {
   return read_model_text("m.toml", kPendulumModel, case_name, overrides);
@@ -148,7 +139,7 @@ TEST(ModelDocument, MakesTheModelOfEachCase) {
 }
 
 TEST(ModelDocument, TellsWhatIsWrongWithCasesInEveryOne) {
-  const ModelDocument document("m.toml", std::string(kPendulumModel) + "[cases.odd]\nsat = { a = 1 }\n");
+  const ModelDocument document("m.toml", kPendulumModel + "[cases.odd]\nsat = { a = 1 }\n");
   for (const std::string_view name : {"", "heavy"}) {
     EXPECT_NE(render_all(document.read(name, {})).find("m.toml:19:8: error E-FILE-002: case 'odd': set is missing"),
               std::string::npos)
