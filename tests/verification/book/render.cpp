@@ -41,6 +41,18 @@ part keeps to its share; what does not fit goes into `scripts/long_checks.sh`.
 | together | 35 |
 )";
 
+constexpr const char* kLongChecks = R"(
+## Long checks
+
+What takes hours is run before a larger change is closed, by `bash scripts/long_checks.sh | tee
+tests/verification/long_checks.txt`: lives of ten thousand cycles, a thousand mechanisms of each random family, other
+programs that read run files, ThreadSanitizer, other compilers and levels of optimization, the share of lines that the
+tests run, and fuzzing. It last said:
+
+```text
+{}```
+)";
+
 constexpr const char* kFaults = R"(
 ## Faults tried
 
@@ -109,11 +121,11 @@ bool holds(const std::string& now, const std::string& printed) {
 
 }  // namespace
 
-std::string render_book(const std::vector<Entry>& entries, const std::vector<Fault>& faults) {
+std::string render_book(const BookContents& contents) {
   std::string text = kPreface;
   for (const std::string& chapter : list_chapters()) {
     bool begun = false;
-    for (const Entry& entry : entries) {
+    for (const Entry& entry : contents.entries) {
       if (entry.about.chapter != chapter) continue;
       if (!begun) text += fmt::format("\n## {}\n", chapter);
       begun = true;
@@ -121,14 +133,14 @@ std::string render_book(const std::vector<Entry>& entries, const std::vector<Fau
     }
   }
   text += kFaults;
-  for (const Fault& fault : faults) text += render_fault(fault);
+  for (const Fault& fault : contents.faults) text += render_fault(fault);
   text += kBudget;
+  text += fmt::format(kLongChecks, contents.long_checks);
   return text;
 }
 
-std::vector<std::string> compare_book(const std::vector<Entry>& entries, const std::vector<Fault>& faults,
-                                      const std::string& printed) {
-  const auto now = split_lines(render_book(entries, faults));
+std::vector<std::string> compare_book(const BookContents& contents, const std::string& printed) {
+  const auto now = split_lines(render_book(contents));
   const auto then = split_lines(printed);
   std::vector<std::string> differences;
   for (std::size_t k = 0; k < std::max(now.size(), then.size()); ++k) {

@@ -12,12 +12,18 @@
 
 namespace gudgeon::book {
 
-std::string render_book(const std::vector<Entry>& entries, const std::vector<Fault>& faults);
+/// What the tests left for the book, and what scripts/long_checks.sh printed when it last ran.
+struct BookContents {
+  std::vector<Entry> entries;
+  std::vector<Fault> faults;
+  std::string long_checks;
+};
 
-/// What of a printed book is not what the entries say, in words; empty when it holds. Our numbers may differ from the
+std::string render_book(const BookContents& contents);
+
+/// What of a printed book is not what the contents say, in words; empty when it holds. Our numbers may differ from the
 /// printed ones by the tolerance of their line: the last digits depend on compiler and processor. So does how often a
 /// fault was tried, but not what was lost.
-std::vector<std::string> compare_book(const std::vector<Entry>& entries, const std::vector<Fault>& faults,
-                                      const std::string& printed);
+std::vector<std::string> compare_book(const BookContents& contents, const std::string& printed);
 
 }  // namespace gudgeon::book
