@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/base/stable_hash.h"
 #include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/hdf5_file.h"
 #include "gudgeon/io/hdf5_node.h"
@@ -35,6 +36,8 @@ void write_header(const Hdf5Handle& root, const RunRecord& header) {
   write_text_attribute(root, "program_version", header.program_version);
   write_text_attribute(root, "model_file", header.model_file);
   write_text_attribute(root, "case_name", header.case_name);
+  // In the file's first page, by which a journal knows the file that it belongs to.
+  write_text_attribute(root, "model_key", fmt::format("{:016x}", find_stable_hash(header.explained)));
   // What changes with every stage comes first: it then changes with the file's first page.
   make_group(root, "stages", kStagesAtFirst, 8);
   write_text(root, "model_text", header.model_text);
