@@ -33,6 +33,8 @@ awk -v prefix="$source_root/" '
     may["analysis"] = "base results"
     may["io"] = "base laws model results"
     may["report"] = "base results analysis"
+    may["library"] = "base model results sim analysis io"
+    may["gudgeon.h"] = "library"  # all that users of the library include
     may["app"] = "base geometry laws model system results sim analysis io report"
     # start of a third-party header -> the floors that may include it
     room["hdf5"] = "io"; room["H5"] = "io"; room["toml++/"] = "io"
@@ -56,7 +58,7 @@ awk -v prefix="$source_root/" '
   FNR == 1 {
     close_file()
     name = substr(FILENAME, length(prefix) + 1)
-    floor = index(name, "/") ? substr(name, 1, index(name, "/") - 1) : ""
+    floor = index(name, "/") ? substr(name, 1, index(name, "/") - 1) : name
     if (!(floor in may)) complain(1, "lies on no known floor")
     if ($0 !~ /^\/\/ SPDX-FileCopyrightText: /) complain(1, "does not begin with its SPDX copyright line")
   }

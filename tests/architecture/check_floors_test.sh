@@ -64,6 +64,16 @@ write_source cellar/wine.h '#pragma once'
 expect_complaint 'cellar/wine.h:1: lies on no known floor'
 
 start_tree
+write_source gudgeon.h '#include "gudgeon/library/model.h"'
+bash "$script" "$tree" >/dev/null || fail "refuses the header of the library"
+write_source gudgeon.h '#include "gudgeon/sim/loop.h"'
+expect_complaint 'gudgeon.h:3: floor gudgeon.h may not include gudgeon/sim/loop.h'
+
+start_tree
+write_source stray.h '#pragma once'
+expect_complaint 'stray.h:1: lies on no known floor'
+
+start_tree
 echo '#pragma once' >"$tree/src/gudgeon/base/bare.h"
 expect_complaint 'base/bare.h:1: does not begin with its SPDX copyright line'
 
