@@ -7,7 +7,7 @@
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build pkg-config
+  g++ cmake ninja-build pkg-config dpkg-dev file
   libeigen3-dev libboost-dev libmuparser-dev libtomlplusplus-dev libfmt-dev libcli11-dev libhdf5-dev libsundials-dev
   libxsimd-dev
   libgtest-dev libgmock-dev libbenchmark-dev

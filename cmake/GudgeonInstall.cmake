@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: gudgeon contributors
 # SPDX-License-Identifier: Apache-2.0
 #
-# What `cmake --install` puts where: the program with its manual page and completions; the library as one archive with the
-# headers its users need, for find_package(gudgeon). The target gudgeon_package builds all of it, and
+# What `cmake --install` puts where: the program with its manual page and completions; the library as one archive with
+# the headers its users need, for find_package(gudgeon). The target gudgeon_package builds all of it, and
 # `cpack --config build/CPackConfig.cmake` makes a Debian package of it.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

@@ -43,6 +43,7 @@ if grep -rl -e "$source_root" -e "$(cd -- "$build" && pwd)" "$prefix"; then
 fi
 
 cp -r "$here/outside" "$scratch/outside"
+sed -n '/^    #include <gudgeon/,/^    }$/s/^    //p' "$source_root/docs/guide/library.md" >"$scratch/outside/guide.cpp"
 quietly cmake -S "$scratch/outside" -B "$scratch/outside/build" -DCMAKE_CXX_COMPILER="$compiler" \
   -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Werror"
 quietly cmake --build "$scratch/outside/build"

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: gudgeon contributors
 # SPDX-License-Identifier: Apache-2.0
 #
-# shell_files_test.sh PROGRAM DIRECTORY: the manual page and the completions in the directory have every command and every
-# option that the program's help has, under its command; the one for bash completes.
+# shell_files_test.sh PROGRAM DIRECTORY: the manual page and the completions in the directory have every command and
+# every option that the program's help has, under its command; the one for bash completes.
 set -euo pipefail
 
 program="$1"
@@ -16,10 +16,10 @@ fail() {
 }
 
 man_page="$(sed 's/\\-/-/g' "$directory/gudgeon.1")"
-zsh_completion="$(<"$directory/_gudgeon")"
+zsh_file="$(<"$directory/_gudgeon")"
 # The lines about one command.
 man_part() { awk -v from=".SS gudgeon $1 " '/^\.S[SH]/ { on = index($0, from) == 1 } on' <<<"$man_page"; }
-zsh_part() { awk -v from="      $1) _arg" '/^      [a-z]+\) _arg/ { on = index($0, from) == 1 } on' <<<"$zsh_completion"; }
+zsh_part() { awk -v from="      $1) _arg" '/^      [a-z]+\) _arg/ { on = index($0, from) == 1 } on' <<<"$zsh_file"; }
 
 # complete WORD...: what bash offers for the last of them.
 complete_words() {
