@@ -33,9 +33,13 @@ done
 [[ "$(dpkg-deb --field "$package" Section)" == science ]] || fail "is not in the section science"
 
 dpkg-deb -x "$package" "$scratch/root"
-for file in bin/gudgeon include/gudgeon/gudgeon.h lib/cmake/gudgeon/gudgeonConfig.cmake share/man/man1/gudgeon.1 \
+for file in bin/gudgeon include/gudgeon/gudgeon.h share/man/man1/gudgeon.1 \
   share/bash-completion/completions/gudgeon share/zsh/vendor-completions/_gudgeon share/doc/gudgeon/copyright; do
   [[ -s "$scratch/root/usr/$file" ]] || fail "lacks /usr/$file"
+done
+# /usr/lib, or of one architecture, as the build was told
+for file in libgudgeon.a cmake/gudgeon/gudgeonConfig.cmake; do
+  [[ -s "$scratch/root/usr/lib/$file" || -s "$(echo "$scratch"/root/usr/lib/*/"$file")" ]] || fail "lacks $file"
 done
 cd "$scratch"
 root/usr/bin/gudgeon run "$here/../app/slider_crank.toml" --set study.cycles=1 -o run --quiet --report >"$scratch/log"

@@ -37,7 +37,9 @@ done
 
 # What is installed does not lead back to where it was built; lines for debuggers may.
 source_root="$(cd -- "$here/../.." && pwd)"
-strip --strip-debug "$prefix/bin/gudgeon" "$prefix"/lib*/libgudgeon.a
+mapfile -t archives < <(find "$prefix" -name libgudgeon.a)
+((${#archives[@]} == 1)) || fail "the library is ${#archives[@]} archives"
+strip --strip-debug "$prefix/bin/gudgeon" "${archives[@]}"
 if grep -rl -e "$source_root" -e "$(cd -- "$build" && pwd)" "$prefix"; then
   fail "the files above name the tree they were built in"
 fi
