@@ -61,14 +61,14 @@ void drop_samples(StageRecord& stage) {
 
 class StudyRunner {
  public:
-  StudyRunner(const Mechanism& mechanism, const Study& study, const RunHooks& hooks, std::vector<StageRecord> finished,
-              std::optional<Checkpoint> checkpoint)
+  StudyRunner(const Mechanism& mechanism, Assembly assembly, const Study& study, const RunHooks& hooks,
+              std::vector<StageRecord> finished, std::optional<Checkpoint> checkpoint)
       : mechanism_(mechanism),
         study_(study),
         hooks_(hooks),
         finished_(std::move(finished)),
         checkpoint_(std::move(checkpoint)),
-        assembly_(assemble(mechanism)),
+        assembly_(std::move(assembly)),
         ideal_assembly_(assembly_),
         cycle_time_(find_cycle_time(mechanism, study)),
         has_clearance_(std::ranges::any_of(mechanism.joints, [](const Joint& j) { return has_clearance(j.kind); })),
@@ -167,8 +167,9 @@ class StudyRunner {
 
 std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& study, const RunHooks& hooks,
                                    std::vector<StageRecord> finished, std::optional<Checkpoint> checkpoint) {
-  require_start(mechanism, assemble(mechanism));
-  return StudyRunner(mechanism, study, hooks, std::move(finished), std::move(checkpoint)).run();
+  Assembly assembly = assemble(mechanism);
+  require_start(mechanism, assembly);
+  return StudyRunner(mechanism, std::move(assembly), study, hooks, std::move(finished), std::move(checkpoint)).run();
 }
 
 }  // namespace gudgeon
