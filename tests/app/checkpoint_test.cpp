@@ -107,13 +107,15 @@ TEST_F(CheckpointRun, StoppedWithinAStageGoesOnWithItsSamples) {
   int n_stops = 0;
   while (n_stops < 2 && run_and_send(SIGTERM, n_stops > 0)) ++n_stops;
   EXPECT_GE(n_stops, 1);
+  // A stop between two stages leaves none.
+  const bool is_within = std::filesystem::exists(checkpoint());
   ASSERT_EQ(resume().exit_code, 0) << last_.err;
-  EXPECT_THAT(last_.err, HasSubstr("goes on in stage"));
+  EXPECT_EQ(last_.err.find("goes on in stage") != std::string::npos, is_within) << last_.err;
   expect_same_numbers();
 }
 
 TEST_F(CheckpointRun, ADamagedCheckpointIsToldAndNotUsed) {
-  ASSERT_TRUE(run_and_send(SIGTERM, false));
+  ASSERT_TRUE(run_and_send(SIGKILL, false));
   std::string bytes = read_text(checkpoint());
   ASSERT_GT(bytes.size(), 1000U);
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
@@ -125,11 +127,11 @@ TEST_F(CheckpointRun, ADamagedCheckpointIsToldAndNotUsed) {
 }
 
 TEST_F(CheckpointRun, OneOfAnotherStudyIsNotUsed) {
-  ASSERT_TRUE(run_and_send(SIGTERM, false));
+  ASSERT_TRUE(run_and_send(SIGKILL, false));
   std::filesystem::rename(checkpoint(), folder_.path() / "other");
   std::filesystem::remove_all(folder_.path() / "parts");
   outputs_ = "60";
-  ASSERT_TRUE(run_and_send(SIGTERM, false));
+  ASSERT_TRUE(run_and_send(SIGKILL, false));
   std::filesystem::rename(folder_.path() / "other", checkpoint());
   ASSERT_EQ(resume().exit_code, 0) << last_.err;
   EXPECT_THAT(last_.err, HasSubstr("of another model, study or program"));
