@@ -29,7 +29,7 @@ if [[ " ${targets[*]} " == *" run_file "* ]]; then
   program="${GUDGEON_PROGRAM:-build/gudgeon}"
   [[ -x "$program" ]] || { echo "fuzz.sh: $program is not built; it makes the run file to start from" >&2; exit 1; }
   "$program" run tests/app/slider_crank.toml --quiet --overwrite -o build-fuzz/seed --set study.cycles=1 \
-    --set study.outputs_per_cycle=5 --set study.compare_ideal=false --set study.regions=10 >/dev/null
+    --set study.outputs_per_cycle=5 --set study.compare_ideal=false --set study.cells=10 >/dev/null
 fi
 
 export ASAN_OPTIONS="${ASAN_OPTIONS:-detect_leaks=0:allocator_may_return_null=1}"

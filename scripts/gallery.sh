@@ -16,7 +16,7 @@ gallery=docs/gallery
 
 build/gudgeon draw "$model" -o "$gallery/nine_bar.svg" --trace panel_7.D --overwrite >"$work/log"
 build/gudgeon run "$model" -o "$work/runs" --case base --case clearance_0_3 --case clearance_0_8 --quiet --report \
-  --set study.cycles=6 --set study.magnification=3000 >>"$work/log"
+  --set study.cycles=6 --set study.wear_acceleration=3000 >>"$work/log"
 wanted=(
   base.A.wear_depth base.A.surfaces base.A.journal_surface
   base.slider_9.x_acceleration base.slider_9.x_velocity.error base.crank_4.effort

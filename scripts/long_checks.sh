@@ -39,7 +39,7 @@ note() {
 # balance that does not close (exit code 6) is told with the rest.
 nine_bar_life() {
   "$program" run examples/nine_bar/nine_bar.toml -o "$runs/life" --overwrite --threads 1 \
-    --set study.relative_tolerance="$1" --set study.cycles=10000 --set study.magnification=8 \
+    --set study.relative_tolerance="$1" --set study.cycles=10000 --set study.wear_acceleration=8 \
     --set study.wear_stages=1 --set study.compare_ideal=false --set study.outputs_per_cycle=1 > "$runs/summary"
   local code=$?
   [ $code -eq 0 ] || [ $code -eq 6 ] || { cat "$runs/summary"; return 1; }

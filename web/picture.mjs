@@ -9,7 +9,7 @@ const browser = await openBrowser();
 const page = await openReport(browser, report, { width: 1100 });
 await page.waitForFunction(() => document.querySelector('.mechanism').panel);
 await page.evaluate(() => {
-  for (const id of ['simulated', 'published']) document.getElementById(`base-${id}`)?.remove();
+  for (const id of ['simulated', 'reference']) document.getElementById(`base-${id}`)?.remove();
   for (const table of document.querySelectorAll('.table, .note')) table.remove();
   document.querySelector('.mechanism').panel.player.show(5.1);
 });

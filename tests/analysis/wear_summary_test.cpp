@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "gudgeon/base/diagnostics.h"
-#include "gudgeon/results/regions.h"
+#include "gudgeon/results/cells.h"
 #include "tests/results/synthetic_run.h"
 
 namespace gudgeon {
@@ -22,7 +22,7 @@ void expect_ranges(std::vector<double> depth, std::vector<AngleRange> expected) 
   }
 }
 
-TEST(WornRanges, StandAtTheEdgesOfTheirRegions) {
+TEST(WornRanges, StandAtTheEdgesOfTheirCells) {
   expect_ranges({0, 0, 5, 5, 0, 0, 0, 1, 0, 0}, {{72, 144}, {252, 288}});
   expect_ranges({5, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {{0, 36}});
   expect_ranges({0, 0, 0, 0, 0, 0, 0, 0, 0, 5}, {{324, 360}});
@@ -54,7 +54,7 @@ TEST(WearSummary, AddsUpOverTheStages) {
   EXPECT_DOUBLE_EQ(first.accumulated.depth, 4e-6);
   EXPECT_DOUBLE_EQ(second.added.depth, 6e-6);
   EXPECT_DOUBLE_EQ(second.accumulated.depth, 10e-6);
-  EXPECT_DOUBLE_EQ(second.added.angle, find_region_angle(97, 100));
+  EXPECT_DOUBLE_EQ(second.added.angle, find_cell_angle(97, 100));
   EXPECT_DOUBLE_EQ(second.bearing.depth, 3e-6);
   EXPECT_DOUBLE_EQ(first.mean_depth_added, 4e-6 * (1.0 + 9 * 0.5) / 100);
   ASSERT_EQ(second.worn.size(), 1u);
@@ -65,7 +65,7 @@ TEST(WearSummary, AddsUpOverTheStages) {
 
 TEST(WearSummary, UnwornSurfaceCountsInTheBearingsOwnDepth) {
   RunRecord run = test::make_run();
-  run.stages[2].wear[0].bearing_depth.assign(test::kRegions, 1e-6);
+  run.stages[2].wear[0].bearing_depth.assign(test::kCells, 1e-6);
   EXPECT_DOUBLE_EQ(summarize_wear(run, 2)[0].bearing.depth, 4e-6);
 }
 
@@ -77,14 +77,14 @@ TEST(WearSummary, StageThatFailedBeforeWearing) {
   EXPECT_DOUBLE_EQ(summary.accumulated.depth, 4e-6);
 }
 
-TEST(WearSummary, RefusesToAddDifferentRegions) {
+TEST(WearSummary, RefusesToAddDifferentCells) {
   RunRecord run = test::make_run();
   run.stages[2].wear[0].total_depth_added.resize(50);
   EXPECT_THROW(summarize_wear(run, 2), NumericalError);
 }
 
-TEST(WornSides, StandAtTheEdgesOfTheirRegionsOnEitherSide) {
-  // Ten regions of 10 mm a side.
+TEST(WornSides, StandAtTheEdgesOfTheirCellsOnEitherSide) {
+  // Ten cells of 10 mm a side.
   std::vector<double> depth(20, 0.0);
   depth[2] = depth[3] = 5.0;
   depth[9] = depth[10] = 4.0;  // the end of the left side, the beginning of the right one
@@ -108,11 +108,11 @@ TEST(WearSummary, TellsTheSideAndPlaceOfASlot) {
   wear.clearance = 1e-4;
   for (auto* depths : {&wear.bearing_depth, &wear.bearing_depth_added, &wear.total_depth_added})
     depths->assign(100, 0.0);
-  wear.total_depth_added[70] = wear.bearing_depth_added[70] = 5e-6;  // the right side's region 20 of 50
+  wear.total_depth_added[70] = wear.bearing_depth_added[70] = 5e-6;  // the right side's cell 20 of 50
   const JointWearSummary summary = summarize_wear(run, 1).front();
   EXPECT_TRUE(summary.is_slot);
   EXPECT_EQ(summary.added.surface, 1U);
-  EXPECT_NEAR(summary.added.position, find_region_position(20, 50, 0.2), 1e-15);
+  EXPECT_NEAR(summary.added.position, find_cell_position(20, 50, 0.2), 1e-15);
   EXPECT_NEAR(summary.added.position, -0.018, 1e-15);
   EXPECT_DOUBLE_EQ(summary.added.depth, 5e-6);
   EXPECT_DOUBLE_EQ(summary.clearance_share, 0.05);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Arcs laid onto regions: against each region's overlap counted out, and what all of them hold together.
+// Arcs laid onto cells: against each cell's overlap counted out, and what all of them hold together.
 #include "gudgeon/geometry/arc_accumulator.h"
 
 #include <gtest/gtest.h>
@@ -21,15 +21,15 @@ struct Arc {
   double amount;
 };
 
-// Overlap of each region with the arc and its copies whole turns away, as a share of the region.
+// Overlap of each cell with the arc and its copies whole turns away, as a share of the cell.
 void add_overlaps(const Arc& arc, std::vector<double>& amounts) {
-  const double region = kTurn / static_cast<double>(amounts.size());
+  const double cell = kTurn / static_cast<double>(amounts.size());
   const double first = std::remainder(arc.angle, kTurn) - 0.5 * arc.width;
   for (std::size_t k = 0; k < amounts.size(); ++k) {
     for (const double shift : {-kTurn, 0.0, kTurn}) {
-      const double from = std::max(static_cast<double>(k) * region, first + shift);
-      const double to = std::min(static_cast<double>(k + 1) * region, first + arc.width + shift);
-      if (to > from) amounts[k] += arc.amount * (to - from) / region;
+      const double from = std::max(static_cast<double>(k) * cell, first + shift);
+      const double to = std::min(static_cast<double>(k + 1) * cell, first + arc.width + shift);
+      if (to > from) amounts[k] += arc.amount * (to - from) / cell;
     }
   }
 }
@@ -40,7 +40,7 @@ std::vector<Arc> make_random_arcs(std::size_t n, unsigned seed) {
   std::uniform_real_distribution<double> share(0.0, 1.0);
   std::vector<Arc> arcs;
   for (std::size_t k = 0; k < n; ++k) {
-    const double width = share(random) * (k % 2 == 0 ? 0.02 : kTurn);  // narrower than a region, and up to all of it
+    const double width = share(random) * (k % 2 == 0 ? 0.02 : kTurn);  // narrower than a cell, and up to all of it
     arcs.push_back({angle(random), width, share(random)});
   }
   arcs.push_back({0.0, 0.3, 1.0});      // over the seam
@@ -60,7 +60,7 @@ TEST(ArcAccumulator, AgreesWithOverlapsCountedOut) {
     }
     const std::vector<double> amounts = accumulator.sum();
     ASSERT_EQ(amounts.size(), n);
-    // Positions of some 1000 regions round to 1e-13 of a region, 64 times.
+    // Positions of some 1000 cells round to 1e-13 of a cell, 64 times.
     for (std::size_t k = 0; k < n; ++k) EXPECT_NEAR(amounts[k], expected[k], 1e-11) << k << " of " << n;
   }
 }
@@ -106,7 +106,7 @@ TEST(ArcAccumulator, AgreesWithMovementsCountedOut) {
       }
       const std::vector<double> expected = counted.sum();
       for (std::size_t k = 0; k < n; ++k) {
-        // An end is within a region for an instant more or less; sums of as many parts.
+        // An end is within a cell for an instant more or less; sums of as many parts.
         EXPECT_NEAR(amounts[k], expected[k], 2.0 * 1.5 / kInstants) << k << " of " << n << ", " << move.turn;
         EXPECT_GE(amounts[k], -1e-12);
       }
@@ -126,7 +126,7 @@ TEST(ArcAccumulator, ConservesWhatMovementsLayDown) {
     }
     const std::vector<double> amounts = accumulator.sum();
     const double held = kTurn / static_cast<double>(n) * std::accumulate(amounts.begin(), amounts.end(), 0.0);
-    EXPECT_NEAR(held, expected, 1e-10 * expected) << n;  // rounding of places among 100 000 regions
+    EXPECT_NEAR(held, expected, 1e-10 * expected) << n;  // rounding of places among 100 000 cells
   }
 }
 
@@ -139,8 +139,8 @@ TEST(ArcAccumulator, StepsOfAMovementJoinWithoutASeam) {
       accumulator.add_sweep(accumulator.find_sweep(at, kWidth, step, kWidth), step / kWidth);
     }
     const std::vector<double> amounts = accumulator.sum();
-    const auto region = [](double angle) { return static_cast<std::size_t>(angle * 1000.0 / kTurn); };
-    for (std::size_t k = region(1.04); k < region(4.9); ++k) EXPECT_NEAR(amounts[k], 1.0, 1e-11) << step;
+    const auto cell = [](double angle) { return static_cast<std::size_t>(angle * 1000.0 / kTurn); };
+    for (std::size_t k = cell(1.04); k < cell(4.9); ++k) EXPECT_NEAR(amounts[k], 1.0, 1e-11) << step;
   }
 }
 
@@ -159,13 +159,13 @@ TEST(ArcAccumulator, MovesParabolas) {
   }
 }
 
-// The parabola over fine points of each region and its copies whole turns away.
+// The parabola over fine points of each cell and its copies whole turns away.
 void add_parabola_points(const Arc& arc, std::vector<double>& amounts) {
   constexpr int kPoints = 2000;
-  const double region = kTurn / static_cast<double>(amounts.size());
+  const double cell = kTurn / static_cast<double>(amounts.size());
   for (std::size_t k = 0; k < amounts.size(); ++k) {
     for (int i = 0; i < kPoints; ++i) {
-      const double at = (static_cast<double>(k) + (i + 0.5) / kPoints) * region;
+      const double at = (static_cast<double>(k) + (i + 0.5) / kPoints) * cell;
       for (const double shift : {-kTurn, 0.0, kTurn}) {
         const double x = (at + shift - std::remainder(arc.angle, kTurn)) / (0.5 * arc.width);
         if (std::abs(x) < 1.0) amounts[k] += arc.amount * 1.5 * (1.0 - x * x) / kPoints;
@@ -205,37 +205,37 @@ TEST(ArcAccumulator, ParabolaPeaksHalfAsHighAgain) {
   ArcAccumulator accumulator(4000);
   accumulator.add_parabola(2.0, 0.5, 3.0);
   const std::vector<double> amounts = accumulator.sum();
-  // The mean over a region at the peak is less than the peak by a third of (half a region over half the arc)² or so.
+  // The mean over a cell at the peak is less than the peak by a third of (half a cell over half the arc)² or so.
   EXPECT_NEAR(std::ranges::max(amounts), 4.5, 4.5 * 2e-5);
   ArcAccumulator nothing(100);
   nothing.add_parabola(2.0, 0.0, 3.0);
   EXPECT_EQ(nothing.sum(), std::vector<double>(100, 0.0)) << "an arc without width";
 }
 
-TEST(ArcAccumulator, PlacesAnArcOfOneRegionInThatRegion) {
-  constexpr std::size_t kRegions = 100;
-  constexpr double kRegion = kTurn / kRegions;
-  for (const std::size_t region : {0u, 1u, 57u, 99u}) {
-    ArcAccumulator accumulator(kRegions);
-    accumulator.add_arc((static_cast<double>(region) + 0.5) * kRegion, kRegion, 3.0);
+TEST(ArcAccumulator, PlacesAnArcOfOneCellInThatCell) {
+  constexpr std::size_t kCells = 100;
+  constexpr double kCell = kTurn / kCells;
+  for (const std::size_t cell : {0u, 1u, 57u, 99u}) {
+    ArcAccumulator accumulator(kCells);
+    accumulator.add_arc((static_cast<double>(cell) + 0.5) * kCell, kCell, 3.0);
     const std::vector<double> amounts = accumulator.sum();
-    for (std::size_t k = 0; k < kRegions; ++k) {
-      EXPECT_NEAR(amounts[k], k == region ? 3.0 : 0.0, 1e-12) << k;  // a position among 100 regions rounds to 1e-14
+    for (std::size_t k = 0; k < kCells; ++k) {
+      EXPECT_NEAR(amounts[k], k == cell ? 3.0 : 0.0, 1e-12) << k;  // a position among 100 cells rounds to 1e-14
     }
   }
 }
 
-TEST(ArcAccumulator, SplitsAnArcOverItsRegions) {
-  constexpr double kRegion = kTurn / 8.0;
+TEST(ArcAccumulator, SplitsAnArcOverItsCells) {
+  constexpr double kCell = kTurn / 8.0;
   ArcAccumulator accumulator(8);
-  accumulator.add_arc(0.0, kRegion, 2.0);             // half a region on each side of the seam
-  accumulator.add_arc(3.25 * kRegion, kRegion, 4.0);  // from 2.75 to 3.75
+  accumulator.add_arc(0.0, kCell, 2.0);           // half a cell on each side of the seam
+  accumulator.add_arc(3.25 * kCell, kCell, 4.0);  // from 2.75 to 3.75
   const std::vector<double> expected{1.0, 0.0, 1.0, 3.0, 0.0, 0.0, 0.0, 1.0};
   const std::vector<double> amounts = accumulator.sum();
   for (std::size_t k = 0; k < 8; ++k) EXPECT_NEAR(amounts[k], expected[k], 1e-14) << k;  // rounding
 }
 
-TEST(ArcAccumulator, FullCircleReachesEveryRegionOnce) {
+TEST(ArcAccumulator, FullCircleReachesEveryCellOnce) {
   for (const double angle : {0.0, 0.1, std::numbers::pi, -2.0, 6.28}) {
     ArcAccumulator accumulator(1000);
     accumulator.add_arc(angle, kTurn, 1.0);
@@ -243,16 +243,15 @@ TEST(ArcAccumulator, FullCircleReachesEveryRegionOnce) {
   }
 }
 
-TEST(ArcAccumulator, PutsAPointIntoItsRegionOnly) {
-  constexpr double kRegion = kTurn / 10.0;
+TEST(ArcAccumulator, PutsAPointIntoItsCellOnly) {
+  constexpr double kCell = kTurn / 10.0;
   const std::vector<std::pair<double, std::size_t>> cases{
-      {0.0, 0},   {0.99 * kRegion, 0}, {1.01 * kRegion, 1}, {9.99 * kRegion, 9},
-      {-0.01, 9}, {kTurn + 0.01, 0},   {-1e-20, 0}};
-  for (const auto& [angle, region] : cases) {
+      {0.0, 0}, {0.99 * kCell, 0}, {1.01 * kCell, 1}, {9.99 * kCell, 9}, {-0.01, 9}, {kTurn + 0.01, 0}, {-1e-20, 0}};
+  for (const auto& [angle, cell] : cases) {
     ArcAccumulator accumulator(10);
     accumulator.add_point(angle, 2.5);
     const std::vector<double> amounts = accumulator.sum();
-    for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(amounts[k], k == region ? 2.5 : 0.0) << angle << ", region " << k;
+    for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(amounts[k], k == cell ? 2.5 : 0.0) << angle << ", cell " << k;
   }
 }
 

@@ -55,7 +55,7 @@ TEST(GuideGap, RatesAreDerivatives) {
           return (after.*member - before.*member) / (2.0 * kStep);
         };
         // Lengths of 0.1 m round to 1e-17 m, 1e-12 m/s over the step; its square takes 1e-10 of depths that change
-        // with 0.2 m/s over regions of 15 mm, 1e-5 m · (2 π · 13/s)³.
+        // with 0.2 m/s over cells of 15 mm, 1e-5 m · (2 π · 13/s)³.
         constexpr double kTolerance = 2e-9;
         EXPECT_NEAR(at.penetration_rate, difference(&GuideGap::penetration), kTolerance) << t;
         EXPECT_NEAR(at.reach_rate, difference(&GuideGap::reach), kTolerance) << t;
@@ -102,7 +102,7 @@ TEST(GuideGap, DoesNotChangeWhenEverythingIsTurned) {
 TEST(GuideGap, FindsWearWhereItIsInEachBody) {
   for (const double side : kSides) {
     std::vector<double> depths(12, 0.0);
-    depths[8] = 6e-5;  // of 12 regions of 50 mm: middle at 125 mm; of a circle: at 255°
+    depths[8] = 6e-5;  // of 12 cells of 50 mm: middle at 125 mm; of a circle: at 255°
     GuideSurfaces worn_side = make_guide(side, false, false);
     worn_side.bearing_wear = LineProfile(depths, 0.6);
     const auto find = [&](const GuideSurfaces& surfaces, double s, double journal_angle) {

@@ -29,7 +29,7 @@ TEST(LineProfile, UnwornIsZeroEverywhere) {
   }
 }
 
-// Anywhere along the side and beyond, however the run lies among the regions.
+// Anywhere along the side and beyond, however the run lies among the cells.
 TEST(LineProfile, LeastDepthOfARunIsABound) {
   std::vector<double> depths;
   for (int k = 0; k < 23; ++k) depths.push_back(1e-6 * ((7 * k) % 23 + 1));
@@ -59,18 +59,18 @@ TEST(LineProfile, UniformDepthIsReproducedAlsoBeyondTheEnds) {
 }
 
 // Inside, a lone depth is spread by 1/6, 2/3, 1/6; at an end what goes beyond comes back.
-TEST(LineProfile, OneRegionSpreadsOverItsNeighboursAndIsMirroredAtTheEnds) {
-  constexpr std::size_t kRegions = 9;
-  constexpr double kWidth = kLength / kRegions;
+TEST(LineProfile, OneCellSpreadsOverItsNeighboursAndIsMirroredAtTheEnds) {
+  constexpr std::size_t kCells = 9;
+  constexpr double kWidth = kLength / kCells;
   const auto middle = [](double k) { return (k + 0.5) * kWidth - 0.5 * kLength; };
-  for (std::size_t worn = 0; worn < kRegions; ++worn) {
-    std::vector<double> depths(kRegions, 0.0);
+  for (std::size_t worn = 0; worn < kCells; ++worn) {
+    std::vector<double> depths(kCells, 0.0);
     depths[worn] = 1.0;
     const LineProfile profile(depths, kLength);
-    for (std::size_t k = 0; k < kRegions; ++k) {
+    for (std::size_t k = 0; k < kCells; ++k) {
       const auto apart = worn > k ? worn - k : k - worn;
       double expected = apart == 0 ? 2.0 / 3.0 : (apart == 1 ? 1.0 / 6.0 : 0.0);
-      if (k == worn && (k == 0 || k == kRegions - 1)) expected += 1.0 / 6.0;
+      if (k == worn && (k == 0 || k == kCells - 1)) expected += 1.0 / 6.0;
       EXPECT_NEAR(profile.eval(middle(static_cast<double>(k))).depth, expected, 1e-14) << worn << " at " << k;
     }
   }
@@ -91,8 +91,8 @@ TEST(LineProfile, SlopeIsTheDerivativeAndZeroAtTheEnds) {
   }
 }
 
-// Gauss' rule of three points is exact on every span of the cubic, half a region wide from end to end.
-TEST(LineProfile, HoldsTheVolumeOfItsRegions) {
+// Gauss' rule of three points is exact on every span of the cubic, half a cell wide from end to end.
+TEST(LineProfile, HoldsTheVolumeOfItsCells) {
   for (const std::size_t n : {4U, 10U, 1000U}) {
     const std::vector<double> depths = test::make_depths(n, 1e-5, 3);
     const LineProfile profile(depths, kLength);
@@ -105,12 +105,12 @@ TEST(LineProfile, HoldsTheVolumeOfItsRegions) {
                 (5.0 * profile.eval(center - node).depth + 8.0 * profile.eval(center).depth +
                  5.0 * profile.eval(center + node).depth);
     }
-    const double regions = std::accumulate(depths.begin(), depths.end(), 0.0) * kLength / static_cast<double>(n);
-    EXPECT_NEAR(volume / regions, 1.0, 1e-13);  // sums of up to 6000 terms
+    const double cells = std::accumulate(depths.begin(), depths.end(), 0.0) * kLength / static_cast<double>(n);
+    EXPECT_NEAR(volume / cells, 1.0, 1e-13);  // sums of up to 6000 terms
   }
 }
 
-TEST(LineProfile, StaysWithinItsRegionsDepths) {
+TEST(LineProfile, StaysWithinItsCellsDepths) {
   const std::vector<double> depths = test::make_depths(31, 1.0, 4);
   const LineProfile profile(depths, kLength);
   EXPECT_EQ(profile.least_depth(), std::ranges::min(depths));

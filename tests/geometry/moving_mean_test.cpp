@@ -14,7 +14,7 @@ namespace {
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 // Three boxes of width w have the variance 3 w²/12 of a sum of three uniform variables, but for what a box over whole
-// regions has more: m whole ones and a rest r at both ends, 2 (Σ k² + r (m + 1)²)/w instead of w²/12.
+// cells has more: m whole ones and a rest r at both ends, 2 (Σ k² + r (m + 1)²)/w instead of w²/12.
 double find_variance(double width) {
   const double half = std::floor(0.5 * (width - 1.0));
   const double rest = 0.5 * (width - 1.0) - half;
@@ -23,7 +23,7 @@ double find_variance(double width) {
   return 3.0 * 2.0 * squares / width;
 }
 
-TEST(MovingMean, SpreadsOneRegionByThreeBoxes) {
+TEST(MovingMean, SpreadsOneCellByThreeBoxes) {
   for (const double width : {1.5, 3.0, 4.25, 20.0, 33.0}) {
     std::vector<double> values(101, 0.0);
     values[50] = 2.0;
@@ -64,7 +64,7 @@ TEST(MovingMean, GoesOnAcrossTheSeamOfACircleOnly) {
   }
 }
 
-TEST(MovingMean, NoWiderThanARegionChangesNothing) {
+TEST(MovingMean, NoWiderThanACellChangesNothing) {
   const std::vector<double> before{1.0, 0.0, 7.0, 2.0};
   for (const double width : {0.0, 0.5, 1.0, std::nan("")}) {
     std::vector<double> values = before;

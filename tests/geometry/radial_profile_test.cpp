@@ -25,8 +25,8 @@ std::vector<double> make_random_depths(std::size_t n, unsigned seed) {
   return depths;
 }
 
-double find_center(std::size_t region, std::size_t n) {
-  return kFullTurn * (static_cast<double>(region) + 0.5) / static_cast<double>(n);
+double find_center(std::size_t cell, std::size_t n) {
+  return kFullTurn * (static_cast<double>(cell) + 0.5) / static_cast<double>(n);
 }
 
 TEST(RadialProfile, UnwornIsZeroEverywhere) {
@@ -54,7 +54,7 @@ TEST(RadialProfile, LeastDepthOfARunIsABound) {
   }
   EXPECT_EQ(profile.least_depth(0.0, 1e300), profile.least_depth());
   EXPECT_EQ(RadialProfile().least_depth(0.0, 1.0), 0.0);
-  // One region below the others counts for what it reaches, two regions to either side.
+  // One cell below the others counts for what it reaches, two cells to either side.
   std::vector<double> depths(100, 2e-6);
   depths[40] = 1e-6;
   const RadialProfile lone(depths);
@@ -71,23 +71,23 @@ TEST(RadialProfile, UniformDepthIsReproduced) {
     for (double angle = -9.0; angle < 9.0; angle += 0.0173) {
       const auto [depth, slope] = profile.eval(angle);
       EXPECT_NEAR(depth, 7e-6, 7e-6 * 1e-15);  // four weights that sum to one
-      // The slope is a difference of such weights over one region's angle.
+      // The slope is a difference of such weights over one cell's angle.
       EXPECT_NEAR(slope, 0.0, 7e-6 * 1e-15 * static_cast<double>(n));
     }
   }
 }
 
-// Catches every shift of the regions, at the seam as well: B₃ is 2/3 at its own centre, 1/6 at the neighbours', 23/48
-// at its own edges, 1/48 at the neighbours' far edges, nothing two regions away.
-TEST(RadialProfile, OneRegionSpreadsOverItsNeighboursOnly) {
-  constexpr std::size_t kRegions = 9;
-  constexpr double kWidth = kFullTurn / kRegions;
+// Catches every shift of the cells, at the seam as well: B₃ is 2/3 at its own centre, 1/6 at the neighbours', 23/48
+// at its own edges, 1/48 at the neighbours' far edges, nothing two cells away.
+TEST(RadialProfile, OneCellSpreadsOverItsNeighboursOnly) {
+  constexpr std::size_t kCells = 9;
+  constexpr double kWidth = kFullTurn / kCells;
   for (const std::size_t worn : {0u, 1u, 4u, 7u, 8u}) {
-    std::vector<double> depths(kRegions, 0.0);
+    std::vector<double> depths(kCells, 0.0);
     depths[worn] = 1.0;
     const RadialProfile profile(depths);
-    const double center = find_center(worn, kRegions);
-    const double tolerance = 1e-14;  // rounding of the wrapped position, a few parts in 1e16 of nine regions
+    const double center = find_center(worn, kCells);
+    const double tolerance = 1e-14;  // rounding of the wrapped position, a few parts in 1e16 of nine cells
     EXPECT_NEAR(profile.eval(center).depth, 2.0 / 3.0, tolerance);
     EXPECT_NEAR(profile.eval(center).slope, 0.0, tolerance / kWidth);
     for (const double side : {-1.0, 1.0}) {
@@ -111,11 +111,11 @@ TEST(RadialProfile, SlopeIsTheDerivative) {
 }
 
 TEST(RadialProfile, IsTwiceContinuouslyDifferentiableOverEveryKnot) {
-  constexpr std::size_t kRegions = 12;
-  const RadialProfile profile(make_random_depths(kRegions, 2));
+  constexpr std::size_t kCells = 12;
+  const RadialProfile profile(make_random_depths(kCells, 2));
   constexpr double kStep = 1e-5;
-  for (std::size_t k = 0; k < kRegions; ++k) {
-    const double knot = find_center(k, kRegions);
+  for (std::size_t k = 0; k < kCells; ++k) {
+    const double knot = find_center(k, kCells);
     const auto before = profile.eval(knot - kStep);
     const auto at = profile.eval(knot);
     const auto after = profile.eval(knot + kStep);
@@ -125,7 +125,7 @@ TEST(RadialProfile, IsTwiceContinuouslyDifferentiableOverEveryKnot) {
   }
 }
 
-TEST(RadialProfile, HoldsTheVolumeOfItsRegions) {
+TEST(RadialProfile, HoldsTheVolumeOfItsCells) {
   for (const std::size_t n : {4u, 10u, 1000u}) {
     const std::vector<double> depths = make_random_depths(n, 3);
     const RadialProfile profile(depths);
@@ -143,7 +143,7 @@ TEST(RadialProfile, HoldsTheVolumeOfItsRegions) {
   }
 }
 
-TEST(RadialProfile, StaysWithinItsRegionDepths) {
+TEST(RadialProfile, StaysWithinItsCellDepths) {
   std::vector<double> depths = make_random_depths(17, 4);
   depths[5] = -0.3;
   const RadialProfile profile(depths);

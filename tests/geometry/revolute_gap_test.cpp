@@ -63,7 +63,7 @@ TEST(RevoluteGap, ConcentricIsFullClearanceAlongX) {
   }
 }
 
-// Wear is measured in the surface's own body: with it on one region only, that region must be turned to the contact.
+// Wear is measured in the surface's own body: with it on one cell only, that cell must be turned to the contact.
 TEST(RevoluteGap, FindsWearWhereItIsInEachBody) {
   std::vector<double> depths(12, 0.0);
   depths[4] = 6e-5;  // centre at 4.5 · 30° = 135°

@@ -50,11 +50,11 @@ TEST(CsvExport, ChannelsComeBackToTheLastBit) {
   EXPECT_TRUE(test::have_same_bits(x, run.stages[1].values[0]));
 }
 
-TEST(CsvExport, WearHasTheMiddleOfEachRegion) {
+TEST(CsvExport, WearHasTheMiddleOfEachCell) {
   const ScratchDirectory scratch;
   export_csv(make_run(), scratch.path(), false);
   const auto lines = split_lines(read_text_file(scratch / "no_wear_wear.csv"));
-  ASSERT_EQ(lines.size(), 1 + test::kRegions);
+  ASSERT_EQ(lines.size(), 1 + test::kCells);
   EXPECT_EQ(lines[0],
             "surface,angle [rad],position [m],bearing_depth [m],journal_depth [m],bearing_depth_added "
             "[m],journal_depth_added [m],"

@@ -268,7 +268,7 @@ TEST(Damage, ImpossibleValuesAreRefusedByName) {
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.wear[0].journal_depth[3] = nan; }),
               HasSubstr("'journal_depth' is nan"));
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.wear[0].bearing_depth_added.pop_back(); }),
-              HasSubstr("the depths of joint 'A' are not as many as its regions"));
+              HasSubstr("the depths of joint 'A' are not as many as its cells"));
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.events[1].joint = 4; }),
               HasSubstr("an event names joint 4 of 1"));
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.events[1].duration = -1.0; }),

@@ -35,7 +35,7 @@ TEST(Examples, NineBarHasThePapersNumbers) {
   EXPECT_EQ(mechanism.joints.size(), 11U);  // nine constraints of two rows, two clearance joints
   EXPECT_EQ(mechanism.drivers.size(), 2U);
   EXPECT_EQ(model.study.cycle_time, 1.0);
-  EXPECT_EQ(model.study.published.size(), 7U);
+  EXPECT_EQ(model.study.reference.size(), 7U);
   EXPECT_EQ(model.cases.size(), 5U);
   const auto& pin = std::get<RevoluteClearance>(mechanism.joints[find_joint(mechanism, "A")].kind);
   EXPECT_EQ(std::get<Archard>(pin.contact.bearing_wear).coefficient, 4e-14);
@@ -74,7 +74,7 @@ TEST(Examples, NineBarSpeedsComeWithTheSmallClearance) {
   EXPECT_DOUBLE_EQ(mechanism.drivers[0].speed, -4.0 * std::numbers::pi);
   EXPECT_DOUBLE_EQ(model.study.cycle_time, 0.5);
   EXPECT_EQ(std::get<RevoluteClearance>(mechanism.joints[find_joint(mechanism, "B")].kind).radial_clearance, 0.0003);
-  EXPECT_EQ(model.study.published.size(), 2U);
+  EXPECT_EQ(model.study.reference.size(), 2U);
 }
 
 // In seconds: both sides of the slot touched and worn, the ledger closed, and the ideal mechanism near.
@@ -93,11 +93,11 @@ TEST(Examples, SlotsRun) {
       EXPECT_GT(std::ranges::max(*find_values(stage, joint + std::string{side})), 10.0) << file << side;
     }
     const JointWear& wear = stage.wear.at(0);
-    EXPECT_EQ(wear.journal_depth_added.size(), surfaces * static_cast<std::size_t>(model.study.regions));
+    EXPECT_EQ(wear.journal_depth_added.size(), surfaces * static_cast<std::size_t>(model.study.cells));
     EXPECT_NEAR(wear.removed_volume / wear.archard_volume, 1.0, 1e-9);
     const std::span<const double> depths = wear.bearing_depth_added;
-    EXPECT_GT(std::ranges::max(depths.first(wear.n_regions())), 0.0) << file;
-    EXPECT_GT(std::ranges::max(depths.subspan(wear.n_regions())), 0.0) << file;
+    EXPECT_GT(std::ranges::max(depths.first(wear.n_cells())), 0.0) << file;
+    EXPECT_GT(std::ranges::max(depths.subspan(wear.n_cells())), 0.0) << file;
     const auto& loose = *find_values(stage, slider);
     const auto& ideal = *find_values(stages[0], slider);
     for (std::size_t k = 0; k < loose.size(); ++k) ASSERT_NEAR(loose[k], ideal[k], 1.5e-4) << file;

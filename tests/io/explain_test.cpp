@@ -47,9 +47,9 @@ TEST(Explain, WritesEveryKindSoThatItReadsBack) {
   const Mechanism mechanism = make_every_kind();
   Study study;
   study.cycle_time = 0.7;
-  study.magnification = 1e5;
+  study.wear_acceleration = 1e5;
   study.stabilization = Stabilization::baumgarte;
-  study.published = {{"q", "A", "peak", {1.0, -2.5e-7}}};
+  study.reference = {{"q", "A", "peak", {1.0, -2.5e-7}}};
   const std::string text = explain(mechanism, study);
   const ModelFile back = read_model_text("explained.toml", text);
   EXPECT_FALSE(back.diagnostics.has_errors()) << render(back.diagnostics, back.source) << text;
@@ -71,7 +71,7 @@ TEST(Explain, WritesEveryKindSoThatItReadsBack) {
   EXPECT_EQ(guide.clearance, 1e-4 / 3.0);
   EXPECT_EQ(std::get<PinInSlotClearance>(back.mechanism.joints[6].kind).journal_radius, 8e-3);
   EXPECT_EQ(back.study.cycle_time, 0.7);
-  EXPECT_EQ(back.study.published[0].values, study.published[0].values);
+  EXPECT_EQ(back.study.reference[0].values, study.reference[0].values);
 }
 
 TEST(Explain, WritesNestedDampingSoThatItReadsBack) {
@@ -97,7 +97,7 @@ TEST(Explain, WritesNestedDampingSoThatItReadsBack) {
 
 TEST(Explain, WritesOutDefaults) {
   const std::string text = explain(make_every_kind(), {});
-  for (const char* line : {"relative_tolerance = 1e-06", "warm_up_cycles = 0", "deposition = \"spread\"",
+  for (const char* line : {"relative_tolerance = 1e-06", "warm_up_cycles = 0", "wear_distribution = \"spread\"",
                            "onset_speed_floor = \"0.001 m/s\"", "normal_direction = \"gap_gradient\""}) {
     EXPECT_NE(text.find(line), std::string::npos) << line;
   }

@@ -76,9 +76,9 @@ body = "rod"
 torque = "0.1 N m"
 [study]
 cycles = 3
-deposition = "point"
+wear_distribution = "point"
 compare_ideal = false
-[[study.published]]
+[[study.reference]]
 quantity = "peak"
 channel = "A.normal_force"
 measure = "peak"
@@ -142,12 +142,12 @@ TEST(ModelReader, ReadsDriversLoadsAndStudy) {
   EXPECT_EQ(model.study.cycle_driver, "crank");
   EXPECT_DOUBLE_EQ(model.study.cycle_time, 1.0);
   EXPECT_EQ(model.study.cycles, 3);
-  EXPECT_EQ(model.study.regions, 1000);
-  EXPECT_EQ(model.study.deposition, Deposition::point);
+  EXPECT_EQ(model.study.cells, 1000);
+  EXPECT_EQ(model.study.wear_distribution, WearDistribution::point);
   EXPECT_FALSE(model.study.compare_ideal);
-  ASSERT_EQ(model.study.published.size(), 1U);
-  EXPECT_TRUE(std::isnan(model.study.published[0].values[0]));
-  EXPECT_EQ(model.study.published[0].values[1], 2000.0);
+  ASSERT_EQ(model.study.reference.size(), 1U);
+  EXPECT_TRUE(std::isnan(model.study.reference[0].values[0]));
+  EXPECT_EQ(model.study.reference[0].values[1], 2000.0);
 }
 
 TEST(ModelReader, KnowsWhereValuesStand) {
@@ -218,7 +218,7 @@ TEST(ModelReader, CutsLongValuesInMessages) {
 
 TEST(ModelReader, SurvivesTablesOfTheWrongKind) {
   for (const char* text : {"", "bodies = 3", "[bodies]\ncrank = 3", "[joints]\nA = [1]", "study = 1", "cases = 1",
-                           "[cases]\na = 2", "[cases.a]\nset = 3", "[study]\npublished = 3", "[study]\npublished = [3]",
+                           "[cases]\na = 2", "[cases.a]\nset = 3", "[study]\nreference = 3", "[study]\nreference = [3]",
                            "loads = \"x\"", "materials.a = 1", "contacts.a = 1979-05-27"}) {
     EXPECT_TRUE(read_model_text("m.toml", text).diagnostics.has_errors()) << text;
   }
@@ -276,7 +276,8 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"[bodies.frame]", "[bodies.\"fr\\name\"]\n[bodies.frame]", "holds the control character U+000A"},
         Spoiled{"cycles = 3", "cycle_time = 3\ncycle_driver = \"crank\"", "exclude each other"},
         Spoiled{"compare_ideal = false", "compare_ideal = 0", "true or false is needed"},
-        Spoiled{"deposition = \"point\"", "deposition = \"points\"", "possible: spread, point   Did you mean 'point'?"},
+        Spoiled{"wear_distribution = \"point\"", "wear_distribution = \"points\"",
+                "possible: spread, point   Did you mean 'point'?"},
         Spoiled{"[study]", "[studdy]\n[study]", "the model has no key 'studdy'"},
         Spoiled{"[bodies.frame]", "[bodies.frame]\nmass = 1", "body 'frame' has no key 'mass'"},
         Spoiled{"name = \"press\"", "name = \"my press\"", "a name is made of"}));

@@ -29,7 +29,7 @@ int check_each_value(const std::filesystem::path& file) {
   EXPECT_FALSE(good.diagnostics.has_errors()) << render(good.diagnostics, good.source);
   int n_checked = 0;
   for (const auto& [path, written] : good.source.written) {
-    if (path.starts_with("cases.") || path.starts_with("study.published") || !is_quantity(written)) continue;
+    if (path.starts_with("cases.") || path.starts_with("study.reference") || !is_quantity(written)) continue;
     for (const char* wrong : {"\"12 zonks\"", "\"abc\"", "true", "nan"}) {
       const Override change{path, wrong};
       const ModelFile model = gudgeon::read_model(file, "", {&change, 1});
@@ -84,8 +84,8 @@ cycle_time = 0.1
 cycles = 2
 warm_up_cycles = 1
 wear_stages = 1
-magnification = 2
-regions = 100
+wear_acceleration = 2
+cells = 100
 outputs_per_cycle = 50
 relative_tolerance = 1e-6
 absolute_tolerance = 1e-9

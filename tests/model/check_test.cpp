@@ -179,33 +179,34 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"E-STUDY-005", "study.cycles", "at least 1", [](Model& m) { m.study.cycles = 0; }},
         Broken{"E-STUDY-005", "study.warm_up_cycles", "not negative", [](Model& m) { m.study.warm_up_cycles = -1; }},
         Broken{"E-STUDY-005", "study.wear_stages", "not negative", [](Model& m) { m.study.wear_stages = -1; }},
-        Broken{"E-STUDY-005", "study.regions", "at least 10 and at most 1e+06", [](Model& m) { m.study.regions = 9; }},
+        Broken{"E-STUDY-005", "study.cells", "at least 10 and at most 1e+06", [](Model& m) { m.study.cells = 9; }},
         Broken{"E-STUDY-005", "study.outputs_per_cycle", "at least 1", [](Model& m) { m.study.outputs_per_cycle = 0; }},
-        Broken{"E-STUDY-006", "study.magnification", "positive", [](Model& m) { m.study.magnification = 0.0; }},
+        Broken{"E-STUDY-006", "study.wear_acceleration", "positive", [](Model& m) { m.study.wear_acceleration = 0.0; }},
         Broken{"E-STUDY-006", "study.relative_tolerance", "at least 1e-15 and at most 0.01",
                [](Model& m) { m.study.relative_tolerance = 0.1; }},
         Broken{"E-STUDY-006", "study.max_step", "not negative", [](Model& m) { m.study.max_step = -1.0; }},
-        Broken{"E-STUDY-007", "study.published.0.measure", "Did you mean 'peak'?",
+        Broken{"E-STUDY-007", "study.reference.0.measure", "Did you mean 'peak'?",
                [](Model& m) {
-                 m.study.published = {{"q", "c", "peek", {}}};
+                 m.study.reference = {{"q", "c", "peek", {}}};
                }},
-        Broken{"E-STUDY-008", "study.published.0.channel", "empty",
+        Broken{"E-STUDY-008", "study.reference.0.channel", "empty",
                [](Model& m) {
-                 m.study.published = {{"q", "", "peak", {}}};
+                 m.study.reference = {{"q", "", "peak", {}}};
                }},
         Broken{"E-STUDY-009", "study.cycle_time", "one turn", [](Model& m) { m.study.cycle_time = 1.0; }},
         Broken{"W-STUDY-001", "study.wear_stages", "no contact of a joint wears",
                [](Model& m) { m.pin().contact.bearing_wear = m.pin().contact.journal_wear = NoWear{}; }},
         Broken{"W-STUDY-010", "study.outputs_per_cycle", "GB of the run file a stage",
                [](Model& m) { m.study.outputs_per_cycle = 1000000; }},
-        Broken{"W-STUDY-010", "study.wear_stages", "GB of the run file", [](Model& m) { m.study.wear_stages = 100000; }},
+        Broken{"W-STUDY-010", "study.wear_stages", "GB of the run file",
+               [](Model& m) { m.study.wear_stages = 100000; }},
         Broken{"W-STUDY-011", "study.wear_stages", "days", [](Model& m) { m.study.wear_stages = 1000000000; }},
         Broken{"W-STUDY-011", "study.warm_up_cycles", "days", [](Model& m) { m.study.warm_up_cycles = 1000000000; }},
         Broken{"W-STUDY-011", "study.cycles", "days", [](Model& m) { m.study.cycles = 1000000000; }},
         Broken{"W-STUDY-011", "study.outputs_per_cycle", "days",
                [](Model& m) { m.study.cycles = 100, m.study.outputs_per_cycle = 1000000000; }},
-        Broken{"R-STUDY-002", "study.deposition", "conserve",
-               [](Model& m) { m.study.deposition = Deposition::point; }}));
+        Broken{"R-STUDY-002", "study.wear_distribution", "conserve",
+               [](Model& m) { m.study.wear_distribution = WearDistribution::point; }}));
 
 TEST(Check, CountsWhatALargeStudyAsksFor) {
   Model model = make_good();

@@ -76,7 +76,7 @@ void expect_volumes(const RandomModel& model, const StageRecord& stage) {
       any_unworn = true;
       continue;
     }
-    const double sum = wear.archard_volume / (line.volume_a_metre_and_newton * model.study.magnification);
+    const double sum = wear.archard_volume / (line.volume_a_metre_and_newton * model.study.wear_acceleration);
     (line.by_friction ? by_friction : at_most) += line.by_friction ? sum : sum * line.friction_coefficient;
   }
   if (any_unworn) return;

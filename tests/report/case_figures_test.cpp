@@ -75,7 +75,7 @@ TEST(CaseFigures, EnlargedSurfaceIsCutOpenOppositeToItsDeepestPlace) {
   const RunRecord run = make_worn_run();
   const Figure figure = find_figure(run, "A.bearing_surface");
   const FigureCurve& curve = figure.curves.front();
-  // Region 97 of 100 is the deepest, 0.5 · 4 µm, in a scar that passes angle zero.
+  // Cell 97 of 100 is the deepest, 0.5 · 4 µm, in a scar that passes angle zero.
   const auto deepest = std::ranges::max_element(*curve.y) - curve.y->begin();
   EXPECT_NEAR((*curve.y)[deepest], 2e-6, 1e-18);
   EXPECT_NEAR((*curve.x)[deepest], 2.0 * std::numbers::pi * 0.975, 1e-12);
@@ -145,8 +145,8 @@ RunRecord make_slot_run(std::size_t n_corners) {
     for (JointWear& wear : stage.wear) {
       wear.bearing_radius = std::numeric_limits<double>::infinity();
       wear.slot_length = 0.18;
-      wear.bearing_depth.assign(2 * test::kRegions, 0.0);
-      wear.journal_depth.assign(n_corners * test::kRegions, 0.0);
+      wear.bearing_depth.assign(2 * test::kCells, 0.0);
+      wear.journal_depth.assign(n_corners * test::kCells, 0.0);
       wear.total_depth_added = wear.bearing_depth_added = wear.bearing_depth;
       wear.journal_depth_added = wear.journal_depth;
       for (const char* part : {".displacement", ".height"}) {
@@ -155,11 +155,10 @@ RunRecord make_slot_run(std::size_t n_corners) {
       }
     }
   }
-  for (std::size_t side = 0; side < 2; ++side)
-    run.stages[1].wear[0].total_depth_added[side * test::kRegions + 7] = 1e-6;
+  for (std::size_t side = 0; side < 2; ++side) run.stages[1].wear[0].total_depth_added[side * test::kCells + 7] = 1e-6;
   JointWear& last = run.stages[2].wear[0];
-  for (std::size_t c = 0; c < n_corners; ++c) last.journal_depth[c * test::kRegions + 11 * c] = 1e-6;
-  for (std::size_t side = 0; side < 2; ++side) last.bearing_depth[side * test::kRegions + 7] = 1e-6;
+  for (std::size_t c = 0; c < n_corners; ++c) last.journal_depth[c * test::kCells + 11 * c] = 1e-6;
+  for (std::size_t side = 0; side < 2; ++side) last.bearing_depth[side * test::kCells + 7] = 1e-6;
   return run;
 }
 
@@ -186,7 +185,7 @@ TEST(CaseFigures, SidesAndCornersOfASlotAreToldApart) {
   EXPECT_EQ(corners.curves[2].name, "first wear, right rear corner");
   expect_all_differ(corners);
   EXPECT_NE(corners.curves[1].line, corners.curves[2].line);
-  // All four scars, 0 to 33 regions of 3.6 degrees along the circumference, are within the enlarged part.
+  // All four scars, 0 to 33 cells of 3.6 degrees along the circumference, are within the enlarged part.
   const std::string svg = plot_figure(corners, {});
   for (const char* corner : {"left rear", "left front", "right rear", "right front"})
     EXPECT_THAT(svg, HasSubstr(corner));
@@ -222,8 +221,8 @@ TEST(CaseFigures, ComparisonOfManyCasesTakesSomeAtEqualSteps) {
 TEST(CaseFigures, TrendsRunOverTheValuesThatCasesDifferIn) {
   const RunRecord small = make_worn_run();
   RunRecord large = make_worn_run();
-  large.stages.back().wear[0].bearing_depth_added.assign(test::kRegions, 0.0);
-  large.stages.back().wear[0].total_depth_added.assign(test::kRegions, 3e-6);
+  large.stages.back().wear[0].bearing_depth_added.assign(test::kCells, 0.0);
+  large.stages.back().wear[0].total_depth_added.assign(test::kCells, 3e-6);
   ChannelStatistics& force =
       *std::ranges::find(large.stages.back().statistics, "A.normal_force", &ChannelStatistics::channel);
   force.maximum = 4321.0;

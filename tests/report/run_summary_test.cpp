@@ -21,14 +21,14 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::vector<PublishedRow> kPublished{
+const std::vector<ReferenceRow> kReference{
     {"largest wear depth, A", "A", "wear_depth", {std::nan(""), 5.0e-6, 1.0e-5}, "m"},
     {"peak contact force A", "A.normal_force", "peak", {2072.0, 2741.0, 3885.0}, ""},
     {"peak torque", "crank.effort", "peak", {-50.0, std::nan(""), -79.0}, "N m"},
 };
 
 TEST(RunSummary, HasEverySection) {
-  const std::string text = render_summary(test::make_run(), kPublished, false);
+  const std::string text = render_summary(test::make_run(), kReference, false);
   EXPECT_THAT(text, testing::StartsWith("press.toml, case 'base'\n  written by gudgeon 0.1.0\n"));
   EXPECT_THAT(text, HasSubstr("joints.A.radial_clearance = 0.3 mm"));
   EXPECT_THAT(text, ContainsRegex("ideal +finished +2 +2.000 s +2.500 s +1 234 567 +200 000 +345 +3"));
@@ -53,7 +53,7 @@ TEST(RunSummary, TellsAStageThatDoesNotAddUp) {
   RunRecord run = test::make_run();
   EXPECT_THAT(render_info(run, false), Not(HasSubstr("E-NUM-020")));
   run.stages[1].ledger.friction += 1.0;
-  const std::string summary = render_summary(run, kPublished, false);
+  const std::string summary = render_summary(run, kReference, false);
   EXPECT_THAT(summary, HasSubstr("no_wear: E-NUM-020: its energy does not add up"));
   EXPECT_THAT(summary, ContainsRegex("adds up +yes +NO +yes"));
   const std::string info = render_info(run, false);
@@ -62,15 +62,15 @@ TEST(RunSummary, TellsAStageThatDoesNotAddUp) {
   EXPECT_THAT(info, ContainsRegex("wear_1 [^\n]* yes +A"));
 }
 
-TEST(RunSummary, SetsPublishedValuesBesideOurs) {
-  const std::string text = render_published(test::make_run(), kPublished, false);
+TEST(RunSummary, SetsReferenceValuesBesideOurs) {
+  const std::string text = render_reference(test::make_run(), kReference, false);
   EXPECT_THAT(text, ContainsRegex("quantity +no_wear +ours +ratio +wear_1 +ours +ratio +wear_2 +ours +ratio"));
   EXPECT_THAT(text, ContainsRegex("peak contact force A +2.072 kN +2.000 kN +0.97 +2.741 kN +2.500 kN +0.91 +"
                                   "3.885 kN +– +–"));
   EXPECT_THAT(text, ContainsRegex("peak torque +-50.00 N m +52.33 N m +1.05 +– +52.33 N m +–"));
   EXPECT_THAT(text,
               ContainsRegex("largest wear depth, A +– +– +– +5.000 µm +4.000 µm +0.80 +10.00 µm +10.00 µm +1.00"));
-  EXPECT_EQ(render_published(test::make_run(), {}, false), "");
+  EXPECT_EQ(render_reference(test::make_run(), {}, false), "");
 }
 
 TEST(RunSummary, WorksOnAnOutlineAndOnAnEmptyRun) {
@@ -84,7 +84,7 @@ TEST(RunSummary, WorksOnAnOutlineAndOnAnEmptyRun) {
   EXPECT_THAT(text, Not(HasSubstr("Error of the slider motion")));
   EXPECT_EQ(find_ideal_channels(run),
             (std::vector<std::string>{"slider.x", "slider.x_velocity", "slider.x_acceleration"}));
-  EXPECT_THAT(render_summary(RunRecord{}, kPublished, false), HasSubstr("No stage was run"));
+  EXPECT_THAT(render_summary(RunRecord{}, kReference, false), HasSubstr("No stage was run"));
 }
 
 TEST(RunSummary, SaysWhyAStageFailedAndWhyItIsNotCompared) {
@@ -107,8 +107,8 @@ TEST(RunSummary, RemarksOnWhatNoBearingHas) {
 }
 
 TEST(RunSummary, ColorIsForTerminals) {
-  EXPECT_THAT(render_summary(test::make_run(), kPublished, false), Not(HasSubstr("\033")));
-  EXPECT_THAT(render_summary(test::make_run(), kPublished, true), HasSubstr("\033[1m"));
+  EXPECT_THAT(render_summary(test::make_run(), kReference, false), Not(HasSubstr("\033")));
+  EXPECT_THAT(render_summary(test::make_run(), kReference, true), HasSubstr("\033[1m"));
 }
 
 TEST(RunSummary, ScatteredRangesAreCounted) {

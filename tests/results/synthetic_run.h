@@ -15,7 +15,7 @@
 namespace gudgeon::test {
 
 inline constexpr std::size_t kSamples = 201;  // two cycles of 1 s
-inline constexpr std::size_t kRegions = 100;
+inline constexpr std::size_t kCells = 100;
 
 /// x = amplitude sin(2π t) and its rates, plus the lag of a loose joint.
 inline void add_slider(StageRecord& stage, double amplitude, double lag) {
@@ -56,11 +56,11 @@ inline void add_joint(StageRecord& stage, double depth, double peak_force) {
   wear.journal_radius = 14.5e-3;
   wear.clearance = 0.5e-3;
   wear.width = 20e-3;
-  wear.bearing_depth.assign(kRegions, 0.0);
-  wear.journal_depth.assign(kRegions, 0.0);
-  wear.bearing_depth_added.assign(kRegions, 0.0);
-  wear.journal_depth_added.assign(kRegions, depth / static_cast<double>(2 * kRegions));
-  wear.total_depth_added.assign(kRegions, 0.0);
+  wear.bearing_depth.assign(kCells, 0.0);
+  wear.journal_depth.assign(kCells, 0.0);
+  wear.bearing_depth_added.assign(kCells, 0.0);
+  wear.journal_depth_added.assign(kCells, depth / static_cast<double>(2 * kCells));
+  wear.total_depth_added.assign(kCells, 0.0);
   for (const std::size_t k : {95, 96, 97, 98, 99, 0, 1, 2, 3, 4}) {
     wear.bearing_depth_added[k] = k == 97 ? 0.5 * depth : 0.25 * depth;
     wear.total_depth_added[k] = k == 97 ? depth : 0.5 * depth;

@@ -127,9 +127,9 @@ Study make_study(double cycle_time, int cycles, int wear_stages = 0) {
   study.cycle_time = cycle_time;
   study.cycles = cycles;
   study.outputs_per_cycle = 100;
-  study.regions = 200;
+  study.cells = 200;
   study.wear_stages = wear_stages;
-  study.magnification = 1e5;
+  study.wear_acceleration = 1e5;
   study.compare_ideal = false;
   return study;
 }
@@ -150,7 +150,7 @@ TEST(Checkpoints, OfWornSurfacesAndOfWarmUpGoOnWithTheSameBits) {
   Study study = make_study(0.1, 1, 1);
   study.warm_up_cycles = 1;
   expect_same_from_everywhere(oracle::make_nine_bar(), study);
-  study.deposition = Deposition::point;
+  study.wear_distribution = WearDistribution::point;
   expect_same_from_everywhere(oracle::make_slider_crank_guide(), study);
 }
 

@@ -58,19 +58,19 @@ TEST(GuideEvents, GapsAreThoseOfTheCorners) {
       EXPECT_NEAR(gap.penetration, height - kFree, 1e-16);
       EXPECT_NEAR(gap.penetration_rate, side * (0.05 + 0.4 * (ahead * c - side * kAside * s)), 1e-15);
       EXPECT_EQ(gap.reach, gap.penetration);
-      EXPECT_EQ(gap.region_rate, 0.0);
+      EXPECT_EQ(gap.cell_rate, 0.0);
       EXPECT_NEAR(gap.overrun, std::abs(0.01 + ahead * c - side * kAside * s) - 0.5, 1e-15);
     }
   }
-  // 500 regions of 2 mm pass at the speed of the corner, 100 around a corner at the block's spin.
+  // 500 cells of 2 mm pass at the speed of the corner, 100 around a corner at the block's spin.
   set_surfaces(step.system, 0, std::vector<double>(1000, 3e-5), std::vector<double>(400, 2e-5));
   step.find_change(1e-3);
   const double corner_speed = 0.3 - 0.4 * (kAhead * std::sin(2e-3) + kAside * std::cos(2e-3));
-  EXPECT_NEAR(step.start[1].region_rate, corner_speed * 500.0, 1e-9);
+  EXPECT_NEAR(step.start[1].cell_rate, corner_speed * 500.0, 1e-9);
   EXPECT_NEAR(step.start[1].reach, step.start[1].penetration, 1e-16) << "worn evenly: the bound is the gap";
   set_surfaces(step.system, 0, {}, std::vector<double>(40000, 2e-5));
   step.find_change(1e-3);
-  EXPECT_NEAR(step.start[1].region_rate, 0.4 * 10000.0 / (2.0 * std::numbers::pi), 1e-9);
+  EXPECT_NEAR(step.start[1].cell_rate, 0.4 * 10000.0 / (2.0 * std::numbers::pi), 1e-9);
 }
 
 // Sines are no polynomials, but the block turns by 0.01 at most, and coordinates are straight in time.
@@ -114,41 +114,41 @@ TEST(GuideEvents, TouchOfBothCornersThatIsOverWithinTheStepIsSeen) {
   }
 }
 
-// The left side worn all along but for one region of 1 mm; the block slides at half of the depth beyond its clearance.
+// The left side worn all along but for one cell of 1 mm; the block slides at half of the depth beyond its clearance.
 class WornSide : public testing::Test {
  protected:
   static constexpr double kDepth = 1e-4;
 
-  static std::vector<double> make_ridge(std::size_t region) {
+  static std::vector<double> make_ridge(std::size_t cell) {
     std::vector<double> depths(1000, kDepth);
-    depths[region] = 0.0;
+    depths[cell] = 0.0;
     return depths;
   }
   static Mechanism make_slide(double share) {
     return make_flight(fly({0.0, 1e-3 + share * kDepth}, {0.4, 0.0}, 0.0, 0.0));
   }
-  static void wear_left(Attempt& step, std::size_t region) {
-    std::vector<double> both = make_ridge(region);
+  static void wear_left(Attempt& step, std::size_t cell) {
+    std::vector<double> both = make_ridge(cell);
     both.resize(2000, kDepth);
     set_surfaces(step.system, 0, both, {});
   }
 };
 
 TEST_F(WornSide, RidgePassedWithinTheStepIsSeen) {
-  // 40 regions a step; eighths of it would see nothing of a ridge two regions wide. The front corner stands at 545.
-  for (const std::size_t region : {553U, 571U, 584U}) {
+  // 40 cells a step; eighths of it would see nothing of a ridge two cells wide. The front corner stands at 545.
+  for (const std::size_t cell : {553U, 571U, 584U}) {
     Attempt step(make_slide(0.5));
-    wear_left(step, region);
+    wear_left(step, cell);
     const auto change = step.find_change(0.1);
     ASSERT_LT(step.start[1].penetration, 0.0);
     ASSERT_LT(step.end[1].penetration, 0.0);
-    ASSERT_TRUE(change) << region;
+    ASSERT_TRUE(change) << cell;
     EXPECT_EQ(change->contact, 1U);
     const double position = kAhead + 0.4 * change->share * 0.1;
-    const LineProfile::Value at = LineProfile(make_ridge(region), 1.0).eval(position);
+    const LineProfile::Value at = LineProfile(make_ridge(cell), 1.0).eval(position);
     EXPECT_NEAR(at.depth, 0.5 * kDepth, 1e-14);
     EXPECT_LT(at.slope, 0.0) << "entered, not left";
-    EXPECT_NEAR(1e3 * (position + 0.5), static_cast<double>(region) + 0.5, 1.5);
+    EXPECT_NEAR(1e3 * (position + 0.5), static_cast<double>(cell) + 0.5, 1.5);
   }
 }
 

@@ -33,11 +33,11 @@ TEST(ContactEvents, GapsAreThoseOfTheSurfaces) {
   EXPECT_NEAR(gap.reach, gap.penetration, 1e-15);
   EXPECT_NEAR(gap.penetration_rate, 0.6 * 0.9 - 0.8 * 0.2, 1e-15);
   EXPECT_EQ(gap.reach_rate, gap.penetration_rate);
-  EXPECT_EQ(gap.region_rate, 0.0);
+  EXPECT_EQ(gap.cell_rate, 0.0);
   // The line of centres turns at (e × ė)/e² = 4.2 rad/s against the bearing, 1.2 rad/s against the ball.
   set_surfaces(attempt.system, 0, {}, std::vector<double>(100, 1e-3));
   attempt.find_change(1e-3);
-  EXPECT_NEAR(attempt.start[0].region_rate, 4.2 * 100.0 / (2.0 * std::numbers::pi), 1e-12);
+  EXPECT_NEAR(attempt.start[0].cell_rate, 4.2 * 100.0 / (2.0 * std::numbers::pi), 1e-12);
   EXPECT_NEAR(attempt.start[0].reach, 0.2 - kBallClearance - 1e-3, 1e-15);
 }
 
@@ -150,16 +150,16 @@ TEST(ContactEvents, SeparationOfOneBeforeOnsetOfTheOther) {
   EXPECT_NEAR(change->share * 0.8, 0.1, kTimeTolerance);
 }
 
-// A ball worn all around but for one region, which spins without moving: the ridge sweeps over the bearing.
+// A ball worn all around but for one cell, which spins without moving: the ridge sweeps over the bearing.
 class WornBall : public testing::Test {
  protected:
-  static constexpr std::size_t kRegions = 1000;
+  static constexpr std::size_t kCells = 1000;
   static constexpr double kDepth = 0.01;
-  static constexpr double kSpin = -2.0;  // [rad/s]: the line of centres, along x, passes the ball's regions in order
+  static constexpr double kSpin = -2.0;  // [rad/s]: the line of centres, along x, passes the ball's cells in order
 
-  static std::vector<double> make_ridge(std::size_t region) {
-    std::vector<double> depths(kRegions, kDepth);
-    depths[region] = 0.0;
+  static std::vector<double> make_ridge(std::size_t cell) {
+    std::vector<double> depths(kCells, kDepth);
+    depths[cell] = 0.0;
     return depths;
   }
 
@@ -170,38 +170,38 @@ class WornBall : public testing::Test {
 };
 
 TEST_F(WornBall, RidgePassedWithinTheStepIsSeen) {
-  // Steps of a quarter turn and more; eighths of the step would see nothing of a ridge two regions wide.
-  for (const std::size_t region : {53U, 97U, 171U}) {
+  // Steps of a quarter turn and more; eighths of the step would see nothing of a ridge two cells wide.
+  for (const std::size_t cell : {53U, 97U, 171U}) {
     Attempt attempt(make_ball(0.5));
-    set_surfaces(attempt.system, 0, {}, make_ridge(region));
+    set_surfaces(attempt.system, 0, {}, make_ridge(cell));
     const double h = 0.25 * 2.0 * std::numbers::pi / -kSpin;
     const auto change = attempt.find_change(h);
     ASSERT_LT(attempt.start[0].penetration, 0.0);
     ASSERT_LT(attempt.end[0].penetration, 0.0);
-    ASSERT_TRUE(change) << region;
+    ASSERT_TRUE(change) << cell;
     // There the depth is what the centre has moved out: the ridge's near flank.
     const double angle = -kSpin * change->share * h;
-    const RadialProfile::Value at = RadialProfile(make_ridge(region)).eval(angle);
+    const RadialProfile::Value at = RadialProfile(make_ridge(cell)).eval(angle);
     EXPECT_NEAR(at.depth, 0.5 * kDepth, 1e-12);
     EXPECT_LT(at.slope, 0.0) << "entered, not left";
-    EXPECT_NEAR(angle * kRegions / (2.0 * std::numbers::pi), static_cast<double>(region) + 0.5, 1.5);
+    EXPECT_NEAR(angle * kCells / (2.0 * std::numbers::pi), static_cast<double>(cell) + 0.5, 1.5);
   }
 }
 
-// However many regions pass, only where the surfaces come near each other are they looked at one by one.
-TEST_F(WornBall, ARidgeAmongManyMoreRegionsIsFoundByFewLooks) {
+// However many cells pass, only where the surfaces come near each other are they looked at one by one.
+TEST_F(WornBall, ARidgeAmongManyMoreCellsIsFoundByFewLooks) {
   for (const std::size_t finer : {1U, 10U, 100U, 1000U}) {
-    std::vector<double> depths(finer * kRegions, kDepth);
-    const std::size_t region = 97 * finer;
-    depths[region] = 0.0;
+    std::vector<double> depths(finer * kCells, kDepth);
+    const std::size_t cell = 97 * finer;
+    depths[cell] = 0.0;
     Attempt attempt(make_ball(0.5));
     set_surfaces(attempt.system, 0, {}, depths);
     const double h = 0.25 * 2.0 * std::numbers::pi / -kSpin;
     const auto change = attempt.find_change(h);
     ASSERT_TRUE(change) << finer;
     const double angle = -kSpin * change->share * h;
-    EXPECT_NEAR(angle * static_cast<double>(depths.size()) / (2.0 * std::numbers::pi),
-                static_cast<double>(region) + 0.5, 1.5);
+    EXPECT_NEAR(angle * static_cast<double>(depths.size()) / (2.0 * std::numbers::pi), static_cast<double>(cell) + 0.5,
+                1.5);
     EXPECT_LT(attempt.n_looks, 250) << finer;
     // Nor over a pocket wherein the ball does not come near anything.
     std::ranges::fill(depths, kDepth);
@@ -219,13 +219,13 @@ TEST_F(WornBall, RidgeThatIsTooLowIsNotTouched) {
 }
 
 TEST_F(WornBall, FirstOfTwoRidgesWins) {
-  std::vector<double> depths(kRegions, kDepth);
+  std::vector<double> depths(kCells, kDepth);
   depths[61] = depths[62] = depths[150] = 0.0;
   Attempt attempt(make_ball(0.5));
   set_surfaces(attempt.system, 0, {}, depths);
   const auto change = attempt.find_change(0.6);
   ASSERT_TRUE(change);
-  EXPECT_NEAR(change->share * 1.2 * kRegions / (2.0 * std::numbers::pi), 61.0, 1.0);
+  EXPECT_NEAR(change->share * 1.2 * kCells / (2.0 * std::numbers::pi), 61.0, 1.0);
 }
 
 }  // namespace

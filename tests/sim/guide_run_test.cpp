@@ -24,8 +24,8 @@ Study make_slot_study() {
   study.cycles = 1;
   study.outputs_per_cycle = 50;
   study.wear_stages = 1;
-  study.magnification = 1e4;
-  study.regions = 120;
+  study.wear_acceleration = 1e4;
+  study.cells = 120;
   return study;
 }
 
@@ -45,7 +45,7 @@ Mechanism make_loose_yoke() {
 }
 
 // A pin of 10 kg that a carriage drags to and fro in its slot: F = m g, and every cell that it passes n times is worn
-// by h = n k_d F/w, whatever the regions and however long the steps.
+// by h = n k_d F/w, whatever the cells and however long the steps.
 TEST(GuideRun, EveryCellOfASlotIsWornByItsPasses) {
   Mechanism mechanism = oracle::make_empty("dragged_pin", {0.0, -9.81}, {{"slot", {0.0, 0.0}}});
   mechanism.bodies.push_back({"carriage", 1.0, 0.1, {}, {{"middle", {0.0, 0.0}}}, {}});
@@ -61,29 +61,29 @@ TEST(GuideRun, EveryCellOfASlotIsWornByItsPasses) {
   mechanism.joints.push_back(
       {"slot", PinInSlotClearance{{kFrameName, "slot"}, {"pin", "middle"}, 0.0, 0.3, 8e-3, 5e-5, 0.02, contact}});
   mechanism.drivers.push_back({"drag", DrivenSlide{"rail"}, 0.0, 0.0, Expression{"0.1 * sin(2 * pi * t)", {}}});
-  for (const int n_regions : {100, 1000, 100000}) {
+  for (const int n_cells : {100, 1000, 100000}) {
     Study study;
     study.cycle_time = 1.0;
     study.warm_up_cycles = 1;
     study.cycles = 2;
     study.outputs_per_cycle = 10;
-    study.regions = n_regions;
+    study.cells = n_cells;
     study.compare_ideal = false;
     const auto stages = run_study(mechanism, study);
     ASSERT_EQ(stages.at(0).status, StageStatus::finished) << stages[0].message;
     const JointWear& wear = stages[0].wear.at(0);
     const double expected = 4.0 * 1e-13 * 98.1 / 0.02;
     const double arc = std::sqrt(98.1 / 1e7 * 2.0 * 8e-3);
-    const double region = 0.3 / n_regions;
+    const double cell = 0.3 / n_cells;
     int n_compared = 0;
-    for (int k = 0; k < n_regions; ++k) {
-      const double position = (k + 0.5) * region - 0.15;
+    for (int k = 0; k < n_cells; ++k) {
+      const double position = (k + 0.5) * cell - 0.15;
       EXPECT_EQ(wear.bearing_depth_added[k], 0.0) << "the left side";
-      if (std::abs(position) + 0.5 * region > 0.1 - arc) continue;
+      if (std::abs(position) + 0.5 * cell > 0.1 - arc) continue;
       ++n_compared;
-      EXPECT_NEAR(wear.bearing_depth_added[n_regions + k] / expected, 1.0, 0.02) << position << " of " << n_regions;
+      EXPECT_NEAR(wear.bearing_depth_added[n_cells + k] / expected, 1.0, 0.02) << position << " of " << n_cells;
     }
-    EXPECT_GT(n_compared, n_regions / 2);
+    EXPECT_GT(n_compared, n_cells / 2);
     EXPECT_NEAR(wear.removed_volume / (8.0 * 0.1 * 1e-13 * 98.1), 1.0, 1e-4);
   }
 }
@@ -113,7 +113,7 @@ TEST(GuideRun, EveryStageRunsOnWhatTheOneBeforeLeft) {
     const JointWear& after = stages.at(2).wear.at(0);
     ASSERT_EQ(before.bearing_depth.size(), 2U * 120U) << "two sides";
     ASSERT_EQ(before.journal_depth.size(), n_corners * 120U);
-    EXPECT_EQ(before.n_regions(), 120U);
+    EXPECT_EQ(before.n_cells(), 120U);
     EXPECT_GT(before.slot_length, 0.0);
     EXPECT_NEAR(before.removed_volume / before.archard_volume, 1.0, 1e-9) << "rounding of many deposits";
     for (std::size_t k = 0; k < after.bearing_depth.size(); ++k) {
@@ -135,15 +135,15 @@ TEST(GuideRun, EveryStageRunsOnWhatTheOneBeforeLeft) {
 }
 
 // Each corner has a bristle of its own; both integrators, stiff and explicit, keep the ledger.
-// Regions far finer than a contact show the steps that wear was laid down in, unless their waves are left out: a stage on
+// Cells far finer than a contact show the steps that wear was laid down in, unless their waves are left out: a stage on
 // such surfaces then takes several times the evaluations.
-TEST(GuideRun, FineRegionsTakeNoMoreEvaluations) {
+TEST(GuideRun, FineCellsTakeNoMoreEvaluations) {
   Mechanism mechanism = oracle::make_scotch_yoke_clearance();
   mechanism.drivers.push_back({"motor", DrivenAngle{"crank"}, 0.8, 25.0});
   Study study = make_slot_study();
   study.wear_stages = 2;
-  const auto count = [&](int regions) {
-    study.regions = regions;
+  const auto count = [&](int cells) {
+    study.cells = cells;
     return static_cast<double>(run_study(mechanism, study).back().solver.evaluations);
   };
   EXPECT_LT(count(100000), 1.3 * count(1000));

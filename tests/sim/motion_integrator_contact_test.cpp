@@ -158,7 +158,7 @@ TEST(MotionIntegrator, NoEntryIsPenetratedInTheWornPress) {
   expect_contract(motion, 0.2, 20);
 }
 
-// Corners and pins on both sides; worn sides with a wave of four regions, 3 mm, below them.
+// Corners and pins on both sides; worn sides with a wave of four cells, 3 mm, below them.
 TEST(MotionIntegrator, NoEntryIsPenetratedInSlots) {
   for (const auto& [mechanism, n_corners] :
        {std::pair{oracle::make_slider_crank_guide(), 4}, {oracle::make_scotch_yoke_clearance(), 1}}) {

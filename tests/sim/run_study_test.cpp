@@ -28,8 +28,8 @@ Study make_study(int wear_stages) {
   study.cycles = 1;
   study.outputs_per_cycle = 20;
   study.wear_stages = wear_stages;
-  study.magnification = 1e5;
-  study.regions = 200;
+  study.wear_acceleration = 1e5;
+  study.cells = 200;
   return study;
 }
 
@@ -82,11 +82,11 @@ TEST(RunStudy, EveryStageRunsOnWhatTheOneBeforeLeft) {
       << "each starts from the assembled position";
 }
 
-// A law that runs in over 1 km: slid a centimetre a stage, magnified twenty million times, the second stage is past it
-// and wears as one without running in, the first is not. Depths are far too small to change the motion.
-TEST(RunStudy, TheDistanceSlidGoesOnMagnified) {
+// A law that runs in over 1 km: slid a centimetre a stage, accelerated twenty million times, the second stage is past
+// it and wears as one without running in, the first is not. Depths are far too small to change the motion.
+TEST(RunStudy, TheDistanceSlidGoesOnAccelerated) {
   Study study = make_study(1);
-  study.magnification = 2e7;
+  study.wear_acceleration = 2e7;
   study.compare_ideal = false;
   const auto run_with = [&](const AnyWear& wear) {
     Mechanism press = oracle::make_nine_bar();
@@ -103,7 +103,7 @@ TEST(RunStudy, TheDistanceSlidGoesOnMagnified) {
   for (std::size_t joint = 0; joint < 2; ++joint) {
     const double slid = 2e7 * worn_in[0].wear[joint].sliding_distance;
     ASSERT_GT(slid, 1e4) << "ten times the distance of running in";
-    ASSERT_LT(slid / 2e7, 10.0) << "a hundredth of it, had it not been magnified";
+    ASSERT_LT(slid / 2e7, 10.0) << "a hundredth of it, had it not been accelerated";
     // Surfaces that differ by less than an atom let chaotic contacts part by some tenths of a percent.
     EXPECT_NEAR(running_in[1].wear[joint].archard_volume / worn_in[1].wear[joint].archard_volume, 1.0, 0.01);
     // The first: F constant would give 1 + 8 s_r/s (1 − exp(−s/s_r)).
@@ -219,12 +219,12 @@ TEST(RunStudy, BlocksJoinedAreTheSamplesThatAreKept) {
 
 TEST(RunStudy, AWornThroughJournalEndsTheRunBeforeItsStage) {
   Study study = make_study(2);
-  study.magnification = 1e9;
+  study.wear_acceleration = 1e9;
   const auto stages = run_study(oracle::make_nine_bar(), study);
   ASSERT_THAT(find_names(stages), ElementsAre("ideal", "no_wear", "wear_1"));
   EXPECT_EQ(stages[2].status, StageStatus::failed);
   EXPECT_THAT(stages[2].message, testing::AllOf(testing::HasSubstr("E-NUM-004"), testing::HasSubstr("joint 'A'"),
-                                                testing::HasSubstr("study.magnification")));
+                                                testing::HasSubstr("study.wear_acceleration")));
 }
 
 TEST(RunStudy, AJournalBeyondItsBearingIsAnErrorOfTheModel) {

@@ -34,13 +34,13 @@ ContactSample make_slot_sample(int side, double position) {
   return sample;
 }
 
-// A load F dragged along a side wears every region that it passes by h = k_d F/w, however long the contact is.
+// A load F dragged along a side wears every cell that it passes by h = k_d F/w, however long the contact is.
 TEST(SlotWear, ConstantLoadDraggedAlongASideWearsEvenly) {
   for (const PressureDistribution pressure : {PressureDistribution::uniform, PressureDistribution::parabolic}) {
     std::vector<Contact> sides{make_slot_contact(0), make_slot_contact(1)};
     for (Contact& contact : sides) contact.pressure = pressure;
-    WearDeposit deposit(sides, Deposition::spread, 60);
-    constexpr double kSlide = 0.02e-3;  // [m], many to the contact of 0.27 mm, an integer number to a region of 10 mm
+    WearDeposit deposit(sides, WearDistribution::spread, 60);
+    constexpr double kSlide = 0.02e-3;  // [m], many to the contact of 0.27 mm, an integer number to a cell of 10 mm
     constexpr int kSlides = 20000;      // from -200 to 200 mm
     for (int k = 0; k < kSlides; ++k) {
       const ContactSample sample = make_slot_sample(1, -0.2 + (k + 0.5) * kSlide);
@@ -51,16 +51,16 @@ TEST(SlotWear, ConstantLoadDraggedAlongASideWearsEvenly) {
     EXPECT_TRUE(std::isinf(wear.bearing_radius));
     ASSERT_EQ(wear.bearing_depth_added.size(), 120U);
     const double expected = 0.75 * kCoefficient * 640.0 / 20e-3;
-    for (std::size_t region = 0; region < 120; ++region) {
-      const double share = wear.bearing_depth_added[region] / expected;
-      if (region < 60) {
+    for (std::size_t cell = 0; cell < 120; ++cell) {
+      const double share = wear.bearing_depth_added[cell] / expected;
+      if (cell < 60) {
         EXPECT_EQ(share, 0.0) << "the left side";
-      } else if (region > 60 + 10 && region < 60 + 49) {
-        EXPECT_NEAR(share, 1.0, 1e-10) << region;  // sums of some 20000 deposits
+      } else if (cell > 60 + 10 && cell < 60 + 49) {
+        EXPECT_NEAR(share, 1.0, 1e-10) << cell;  // sums of some 20000 deposits
       } else {
         EXPECT_LE(share, 1.0 + 1e-10);
       }
-      EXPECT_NEAR(wear.total_depth_added[region], 4.0 / 3.0 * wear.bearing_depth_added[region], 1e-10 * expected);
+      EXPECT_NEAR(wear.total_depth_added[cell], 4.0 / 3.0 * wear.bearing_depth_added[cell], 1e-10 * expected);
     }
     // V = k_d F s, whatever was worn off where.
     const double volume = kCoefficient * 640.0 * 0.4;
@@ -74,10 +74,10 @@ TEST(SlotWear, ConstantLoadDraggedAlongASideWearsEvenly) {
 // contact has passed, and not less than that where steps meet.
 TEST(SlotWear, LongStepsWearAsEvenlyAsShortOnes) {
   for (const PressureDistribution pressure : {PressureDistribution::uniform, PressureDistribution::parabolic}) {
-    for (const int n_regions : {60, 6000, 100000}) {
+    for (const int n_cells : {60, 6000, 100000}) {
       std::vector<Contact> sides{make_slot_contact(0), make_slot_contact(1)};
       for (Contact& contact : sides) contact.pressure = pressure;
-      WearDeposit deposit(sides, Deposition::spread, n_regions);
+      WearDeposit deposit(sides, WearDistribution::spread, n_cells);
       constexpr int kSteps = 400;
       constexpr double kStroke = 0.2;
       const auto find_position = [&](double t) { return -kStroke * std::cos(t); };
@@ -96,26 +96,26 @@ TEST(SlotWear, LongStepsWearAsEvenlyAsShortOnes) {
       }
       const JointWear wear = deposit.summarize("slot");
       const double expected = 2.0 * 0.75 * kCoefficient * 640.0 / 20e-3;
-      const double region = 0.6 / n_regions;
-      for (int k = 0; k < n_regions; ++k) {
-        const double end = std::abs((k + 0.5) * region - 0.3) + 0.5 * region;
+      const double cell = 0.6 / n_cells;
+      for (int k = 0; k < n_cells; ++k) {
+        const double end = std::abs((k + 0.5) * cell - 0.3) + 0.5 * cell;
         if (end > kStroke - 0.3e-3) continue;  // half a contact of 0.27 mm
-        EXPECT_NEAR(wear.bearing_depth_added[n_regions + k] / expected, 1.0, 0.02) << k << " of " << n_regions;
+        EXPECT_NEAR(wear.bearing_depth_added[n_cells + k] / expected, 1.0, 0.02) << k << " of " << n_cells;
       }
       EXPECT_NEAR(wear.removed_volume / wear.archard_volume, 1.0, 1e-9);
     }
   }
 }
 
-TEST(SlotWear, WearsTheLastRegionsAtAnEndAndLosesNothing) {
+TEST(SlotWear, WearsTheLastCellsAtAnEndAndLosesNothing) {
   std::vector<Contact> sides{make_slot_contact(0), make_slot_contact(1)};
-  WearDeposit deposit(sides, Deposition::spread, 6000);
+  WearDeposit deposit(sides, WearDistribution::spread, 6000);
   for (const double end : {-0.3, 0.3}) deposit.add(make_slot_sample(0, end), 1.0);
   const JointWear wear = deposit.summarize("slot");
   EXPECT_NEAR(wear.removed_volume / wear.archard_volume, 1.0, 1e-10);
   EXPECT_GT(wear.bearing_depth_added.front(), 0.0);
   // One end at a time: nothing of it comes back at the other.
-  WearDeposit rear(sides, Deposition::spread, 6000);
+  WearDeposit rear(sides, WearDistribution::spread, 6000);
   rear.add(make_slot_sample(0, -0.3), 1.0);
   const JointWear one = rear.summarize("slot");
   EXPECT_NEAR(one.bearing_depth_added[5999], 0.0, 1e-12 * one.bearing_depth_added.front());
@@ -130,7 +130,7 @@ TEST(SlotWear, EachCornerWearsWhereItFacesItsSide) {
     corners.push_back(make_slot_contact(corner / 2));
     corners.back().journal_surface = corner;
   }
-  WearDeposit deposit(corners, Deposition::point, 360);
+  WearDeposit deposit(corners, WearDistribution::point, 360);
   ContactSample sample = make_slot_sample(1, 0.1);
   sample.journal_surface = 2;
   sample.journal_angle = 0.3;

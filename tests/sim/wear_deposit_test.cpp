@@ -19,18 +19,18 @@
 namespace gudgeon {
 namespace {
 
-class Regions : public testing::TestWithParam<std::tuple<int, PressureDistribution>> {
+class Cells : public testing::TestWithParam<std::tuple<int, PressureDistribution>> {
  protected:
-  static int n_regions() { return std::get<0>(GetParam()); }
+  static int n_cells() { return std::get<0>(GetParam()); }
   static PressureDistribution pressure() { return std::get<1>(GetParam()); }
 };
 
-// Load W turns once around at constant slip: every region wears the same, h = k_d W s/(2 π R w).
-TEST_P(Regions, ConstantLoadWearsEvenly) {
+// Load W turns once around at constant slip: every cell wears the same, h = k_d W s/(2 π R w).
+TEST_P(Cells, ConstantLoadWearsEvenly) {
   Contact contact = make_worn_contact();
   contact.pressure = pressure();
-  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, n_regions());
-  const int n_steps = 2 * n_regions();  // so that arcs begin at every region's edges alike
+  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, n_cells());
+  const int n_steps = 2 * n_cells();  // so that arcs begin at every cell's edges alike
   for (int k = 0; k < n_steps; ++k) deposit.add(make_worn_sample(2.0 * std::numbers::pi * k / n_steps), 1.0 / n_steps);
   const JointWear wear = deposit.summarize("J");
   const double expected = 0.75 * kCoefficient * 640.0 * 0.31 / (2.0 * std::numbers::pi * 15e-3 * 20e-3);
@@ -39,12 +39,12 @@ TEST_P(Regions, ConstantLoadWearsEvenly) {
   EXPECT_NEAR(wear.impulse, 640.0, 1e-9);
 }
 
-// Whatever the regions and the pressure, the volume is k_d F s to rounding; bearing and journal share it as their
+// Whatever the cells and the pressure, the volume is k_d F s to rounding; bearing and journal share it as their
 // coefficients.
-TEST_P(Regions, SpreadConservesVolume) {
+TEST_P(Cells, SpreadConservesVolume) {
   Contact contact = make_worn_contact();
   contact.pressure = pressure();
-  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, n_regions(), 20000.0);
+  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, n_cells(), 20000.0);
   for (int k = 0; k < 500; ++k) {
     ContactSample sample = make_worn_sample(0.37 * k * k);
     sample.bearing_angle = 0.9 * k;
@@ -58,7 +58,7 @@ TEST_P(Regions, SpreadConservesVolume) {
   EXPECT_NEAR(wear.removed_volume / archard, 1.0, 1e-11);  // sums of thousands of parts
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Regions,
+INSTANTIATE_TEST_SUITE_P(Of, Cells,
                          testing::Combine(testing::Values(100, 1000, 4000),
                                           testing::Values(PressureDistribution::uniform,
                                                           PressureDistribution::parabolic)));
@@ -68,18 +68,18 @@ TEST(ParabolicPressure, WearsAStillArcDeeperAtItsMiddle) {
   const Contact uniform = make_worn_contact();
   Contact parabolic = uniform;
   parabolic.pressure = PressureDistribution::parabolic;
-  for (const Deposition deposition : {Deposition::spread, Deposition::point}) {
-    WearDeposit a(std::span(&uniform, 1), deposition, 40000);
-    WearDeposit b(std::span(&parabolic, 1), deposition, 40000);
+  for (const WearDistribution distribution : {WearDistribution::spread, WearDistribution::point}) {
+    WearDeposit a(std::span(&uniform, 1), distribution, 40000);
+    WearDeposit b(std::span(&parabolic, 1), distribution, 40000);
     for (WearDeposit* deposit : {&a, &b}) deposit->add(make_worn_sample(1.0), 1.0);
     const JointWear flat = a.summarize("J");
     const JointWear round = b.summarize("J");
     const double ratio = std::ranges::max(round.bearing_depth_added) / std::ranges::max(flat.bearing_depth_added);
-    // A region is a thousandth of the arc: its mean is less than the peak by some 1e-6.
-    EXPECT_NEAR(ratio, 1.5, deposition == Deposition::spread ? 3e-6 : 1e-15);
+    // A cell is a thousandth of the arc: its mean is less than the peak by some 1e-6.
+    EXPECT_NEAR(ratio, 1.5, distribution == WearDistribution::spread ? 3e-6 : 1e-15);
     EXPECT_DOUBLE_EQ(flat.archard_volume, round.archard_volume);
     const double removed = round.removed_volume / flat.removed_volume;
-    EXPECT_NEAR(removed, deposition == Deposition::spread ? 1.0 : 1.5, 1e-11);
+    EXPECT_NEAR(removed, distribution == WearDistribution::spread ? 1.0 : 1.5, 1e-11);
   }
 }
 
@@ -88,7 +88,7 @@ TEST(WearDeposit, EnergyWearFollowsTheWorkOfFriction) {
   Contact contact = make_worn_contact();
   contact.bearing_wear = EnergyWear{3e-13};
   contact.journal_wear = EnergyWear{1e-13};
-  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 1000);
+  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 1000);
   double work = 0.0;
   for (int k = 0; k < 200; ++k) {
     ContactSample sample = make_worn_sample(0.1 * k);
@@ -100,10 +100,10 @@ TEST(WearDeposit, EnergyWearFollowsTheWorkOfFriction) {
   EXPECT_NEAR(deposit.summarize("J").removed_volume / (4e-13 * work), 1.0, 1e-11);
 }
 
-// At constant load the volume is F [k_∞ s + (k₀ − k_∞) s_r (1 − exp(−s/s_r))]; the distance counts magnified, and goes
-// on where the stages before left it.
-TEST(WearDeposit, RunsInOverTheMagnifiedDistance) {
-  constexpr double kMagnification = 500.0;
+// At constant load the volume is F [k_∞ s + (k₀ − k_∞) s_r (1 − exp(−s/s_r))]; the distance counts times the wear
+// acceleration, and goes on where the stages before left it.
+TEST(WearDeposit, RunsInOverTheAcceleratedDistance) {
+  constexpr double kWearAcceleration = 500.0;
   Contact contact = make_worn_contact();
   contact.bearing_wear = RunningInDistance{9e-14, 4e-14, 60.0};
   contact.journal_wear = NoWear{};
@@ -111,11 +111,11 @@ TEST(WearDeposit, RunsInOverTheMagnifiedDistance) {
   double slid = 0.0;
   for (int stage = 0; stage < 3; ++stage) {
     contact.sliding_distance = slid;
-    WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 100, kMagnification);
+    WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 100, kWearAcceleration);
     for (int k = 0; k < 1000; ++k) deposit.add(make_worn_sample(0.01 * k), 1e-4);
     const JointWear wear = deposit.summarize("J");
-    const double after = slid + kMagnification * wear.sliding_distance;
-    EXPECT_NEAR(wear.sliding_distance, 0.031, 1e-14) << "the record's is not magnified";
+    const double after = slid + kWearAcceleration * wear.sliding_distance;
+    EXPECT_NEAR(wear.sliding_distance, 0.031, 1e-14) << "the record's is not accelerated";
     // A midpoint rule: steps of 2.6e-4 s_r are off by their square over 24.
     EXPECT_NEAR(wear.removed_volume / (exact(after) - exact(slid)), 1.0, 1e-8);
     slid = after;
@@ -144,17 +144,17 @@ TEST(WearDeposit, RunsInOverTheDistanceWithinAStep) {
   Contact contact = make_worn_contact();
   contact.bearing_wear = RunningInDistance{9e-14, 0.0, kRunIn};
   contact.journal_wear = NoWear{};
-  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 100);
+  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 100);
   const std::vector<ContactSample> contacts = make_turning_samples(0.3, 0.1);
   deposit.add(make_step(contacts, 0.3 * kRunIn / 0.31));
   const double exact = 640.0 * 9e-14 * kRunIn * (1.0 - std::exp(-0.3));
   EXPECT_NEAR(deposit.summarize("J").removed_volume / exact, 1.0, 1e-5);
 }
 
-// Negative weights say how much, not where: no region is given less than nothing, and the volume is k_d F s.
+// Negative weights say how much, not where: no cell is given less than nothing, and the volume is k_d F s.
 TEST(WearDeposit, LaysNothingNegativeDown) {
   const Contact contact = make_worn_contact();
-  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 1000);
+  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 1000);
   constexpr double kDuration = 0.01;
   for (int k = 0; k < 20; ++k) {
     std::vector<ContactSample> contacts = make_turning_samples(0.12 * k, 0.12);
@@ -173,7 +173,7 @@ TEST(WearDeposit, LaysNothingNegativeDown) {
 // Where no other stage presses, the one that does tells the place.
 TEST(WearDeposit, FindsAPlaceForAContactThatEnds) {
   const Contact contact = make_worn_contact();
-  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 1000);
+  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 1000);
   std::vector<ContactSample> contacts = make_turning_samples(0.0, 0.12);
   for (const int s : {2, 3, 4, 5, 6}) contacts[s].normal_force = 0.0;
   deposit.add(make_step(contacts, 0.01));
@@ -186,7 +186,7 @@ TEST(WearDeposit, FindsAPlaceForAContactThatEnds) {
 TEST(WearDeposit, RunsInOverTheDepthOfEachSurface) {
   Contact contact = make_worn_contact();
   contact.bearing_wear = contact.journal_wear = RunningInDepth{9e-14, 4e-14, 2e-6};
-  WearDeposit deposit(std::span(&contact, 1), Deposition::point, 100);
+  WearDeposit deposit(std::span(&contact, 1), WearDistribution::point, 100);
   ContactSample sample = make_worn_sample(2.0);
   sample.bearing_depth = 2e-6;
   sample.journal_depth = 6e-6;
@@ -196,16 +196,16 @@ TEST(WearDeposit, RunsInOverTheDepthOfEachSurface) {
   EXPECT_NEAR(ratio, (4.0 + 5.0 * std::exp(-1.0)) / (4.0 + 5.0 * std::exp(-3.0)), 1e-14);
 }
 
-// The paper's rule: the depth of the whole arc into one region, so that finer regions lose more volume.
-TEST(PointDeposition, GivesOneRegionTheWholeDepth) {
+// The paper's rule: the depth of the whole arc into one cell, so that finer cells lose more volume.
+TEST(PointDistribution, GivesOneCellTheWholeDepth) {
   const Contact contact = make_worn_contact();
-  WearDeposit coarse(std::span(&contact, 1), Deposition::point, 100);
-  WearDeposit fine(std::span(&contact, 1), Deposition::point, 1000);
+  WearDeposit coarse(std::span(&contact, 1), WearDistribution::point, 100);
+  WearDeposit fine(std::span(&contact, 1), WearDistribution::point, 1000);
   for (WearDeposit* deposit : {&coarse, &fine}) deposit->add(make_worn_sample(1.0), 1.0);
   const JointWear a = coarse.summarize("J");
   const JointWear b = fine.summarize("J");
   EXPECT_EQ(std::ranges::count_if(a.total_depth_added, [](double h) { return h > 0.0; }), 1);
-  EXPECT_GT(a.total_depth_added[15], 0.0);   // 1 rad is 15.9 regions of 100
+  EXPECT_GT(a.total_depth_added[15], 0.0);   // 1 rad is 15.9 cells of 100
   EXPECT_GT(b.total_depth_added[159], 0.0);  // and 159.2 of 1000
   EXPECT_DOUBLE_EQ(a.total_depth_added[15], b.total_depth_added[159]);
   EXPECT_NEAR(a.removed_volume / b.removed_volume, 10.0, 1e-12);
@@ -213,7 +213,7 @@ TEST(PointDeposition, GivesOneRegionTheWholeDepth) {
 
 TEST(WearDeposit, LiesWhereTheSurfacesAre) {
   const Contact contact = make_worn_contact();
-  WearDeposit deposit(std::span(&contact, 1), Deposition::point, 360);
+  WearDeposit deposit(std::span(&contact, 1), WearDistribution::point, 360);
   ContactSample sample = make_worn_sample(2.0);
   sample.bearing_angle = 0.5;
   sample.journal_angle = -1.0;
@@ -227,7 +227,7 @@ TEST(WearDeposit, LiesWhereTheSurfacesAre) {
 
 TEST(WearDeposit, NothingWithoutForce) {
   const Contact contact = make_worn_contact();
-  WearDeposit deposit(std::span(&contact, 1), Deposition::spread, 100);
+  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 100);
   ContactSample sample = make_worn_sample(2.0);
   sample.normal_force = 0.0;
   sample.penetration = -1e-6;

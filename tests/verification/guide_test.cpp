@@ -153,7 +153,7 @@ TEST(Guides, DraggedBlockWearsEveryRegionEvenly) {
   slot.contact.normal_force = LankaraniNikravesh{0.8, 1.5};
   Study study = make_guide_study(0.1, 10, 1e-9);
   study.warm_up_cycles = 1;
-  study.regions = 100;
+  study.cells = 100;
   study.max_step = 2e-5;
   const JointWear wear = run_last(mechanism, study).wear.at(0);
   const double pass = 3e-14 * 10.0 / 0.02;  // k_d of the bearing, W/2, w
@@ -194,8 +194,8 @@ TEST(Guides, LedgersClose) {
         Run{oracle::make_scotch_yoke_clearance(), 1.0, 1e4}}) {
     Study study = make_guide_study(run.duration, 1, 1e-7);
     study.wear_stages = 1;
-    study.magnification = run.magnification;
-    study.regions = 400;
+    study.wear_acceleration = run.magnification;
+    study.cells = 400;
     const auto stages = run_study(run.mechanism, study);
     ASSERT_EQ(stages.size(), 2U);
     for (const StageRecord& stage : stages) {

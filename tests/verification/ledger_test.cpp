@@ -34,9 +34,9 @@ StageRecord run_loose_pin(const AnyNormalForce& normal, const AnyFriction& frict
   study.compare_ideal = false;
   study.relative_tolerance = 1e-8;
   study.absolute_tolerance = 1e-10;
-  study.regions = 200;
+  study.cells = 200;
   study.wear_stages = wears ? 1 : 0;
-  study.magnification = 1e4;
+  study.wear_acceleration = 1e4;
   const auto stages = run_study(mechanism, study);
   EXPECT_EQ(stages.back().status, StageStatus::finished) << stages.back().message;
   if (wears) {

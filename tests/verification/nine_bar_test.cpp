@@ -69,17 +69,17 @@ TEST(NineBar, WornSurfacesKeepTheLedger) {
   book::Recorder recorder({"Energy", "Nine-bar press on worn surfaces", "conservation of energy",
                            "The same on surfaces rebuilt after a stage of wear, smooth (spread) and ragged (point).",
                            "the goal of the project; rough surfaces are the hardest to step over"});
-  for (const auto deposition : {Deposition::spread, Deposition::point}) {
+  for (const auto deposition : {WearDistribution::spread, WearDistribution::point}) {
     Study study = make_study(4);
     study.wear_stages = 1;
-    study.magnification = deposition == Deposition::spread ? 2e3 : 5e4;
-    study.deposition = deposition;
+    study.wear_acceleration = deposition == WearDistribution::spread ? 2e3 : 5e4;
+    study.wear_distribution = deposition;
     const auto stages = run_study(oracle::make_nine_bar(), study);
     ASSERT_EQ(stages.size(), 2U);
     ASSERT_EQ(stages[1].status, StageStatus::finished) << stages[1].message;
     EXPECT_GT(stages[1].solver.onsets, stages[0].solver.onsets);
     const EnergyLedger& ledger = stages[1].ledger;
-    const char* rule = deposition == Deposition::spread ? "spread" : "point";
+    const char* rule = deposition == WearDistribution::spread ? "spread" : "point";
     recorder.verify(fmt::format("residual / exchanged, {} deposition [1]", rule), 0.0,
                     ledger.residual() / ledger.exchanged, 1e-6);
   }
@@ -105,7 +105,7 @@ TEST(NineBar, SameBitsOnAnyThread) {
   const auto run = [] {
     Study study = make_study(1);
     study.wear_stages = 1;
-    study.magnification = 1e4;
+    study.wear_acceleration = 1e4;
     return run_study(oracle::make_nine_bar(), study);
   };
   const auto alone = run();
@@ -129,7 +129,7 @@ TEST(NineBar, VolumeDoesNotDependOnRegions) {
   std::vector<double> volumes;
   for (const int regions : {100, 1000, 4000}) {
     Study study = make_study(1);
-    study.regions = regions;
+    study.cells = regions;
     const auto stages = run_study(oracle::make_nine_bar(), study);
     const JointWear& wear = stages.back().wear.at(1);
     recorder.verify(fmt::format("removed / worn volume, {} regions [1]", regions), 1.0,

@@ -43,7 +43,7 @@ function makeAxis(axis, side) {
   };
 }
 
-/** A turn is whole although its regions' middles do not reach its ends. */
+/** A turn is whole although its cells' middles do not reach its ends. */
 function findWholeRange(curves, axis) {
   const [begin, end] = findExtent(curves, 'xs');
   return axis.display === '°' && begin >= 0 && begin < 1 && end > 359 && end <= 360 ? [0, 360] : [begin, end];

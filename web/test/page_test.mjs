@@ -12,7 +12,7 @@ let page;
 let report;
 
 before(async () => {
-  report = makeReport(findExample('nine_bar/nine_bar.toml'), 'press', ['study.cycles=2', 'study.warm_up_cycles=1', 'study.magnification=20000'],
+  report = makeReport(findExample('nine_bar/nine_bar.toml'), 'press', ['study.cycles=2', 'study.warm_up_cycles=1', 'study.wear_acceleration=20000'],
     { cases: ['base', 'clearance_0_3'] });
   gudgeon('export', 'press/base.h5', '-o', 'csv');
   browser = await openBrowser();

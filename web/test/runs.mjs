@@ -73,8 +73,8 @@ cycle_time = "100 ms"
 cycles = 1
 outputs_per_cycle = 200
 wear_stages = 1
-magnification = 1000
-regions = 90
+wear_acceleration = 1000
+cells = 90
 compare_ideal = false
 `);
   return file;

@@ -67,7 +67,7 @@ std::string describe(const LimitExceeded& exceeded) {
     case SurfaceLimit::wear_radius:
       text += fmt::format(
           "{} worn {} deep, beyond its radius of {}: a wall would be worn through; lower the "
-          "magnification or the wear coefficients",
+          "wear_acceleration or the wear coefficients",
           surface, reached, bound);
       break;
     case SurfaceLimit::wear_clearance:

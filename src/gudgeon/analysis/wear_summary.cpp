@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "gudgeon/base/diagnostics.h"
-#include "gudgeon/results/regions.h"
+#include "gudgeon/results/cells.h"
 
 namespace gudgeon {
 
@@ -22,22 +22,22 @@ void add_profile(std::vector<double>& sum, std::span<const double> added, const 
   if (sum.empty()) sum.assign(added.size(), 0.0);
   if (sum.size() != added.size()) {
     throw NumericalError(
-        fmt::format("joint '{}': wear profiles of {} and {} regions cannot be added up; run all "
-                    "stages with the same number of regions",
+        fmt::format("joint '{}': wear profiles of {} and {} cells cannot be added up; run all "
+                    "stages with the same number of cells",
                     joint, sum.size(), added.size()));
   }
   std::ranges::transform(sum, added, sum.begin(), std::plus<>());
 }
 
-// The deepest region of surfaces that stand one after the other, each of n regions.
+// The deepest cell of surfaces that stand one after the other, each of n cells.
 DeepestPoint find_deepest_of(std::span<const double> depth, const JointWear& wear) {
   DeepestPoint point = find_deepest(depth);
-  const std::size_t n = wear.n_regions();
+  const std::size_t n = wear.n_cells();
   if (wear.slot_length == 0.0 || n == 0 || point.depth == 0.0) return point;
   const auto k = static_cast<std::size_t>(std::ranges::max_element(depth) - depth.begin());
   point.surface = k / n;
-  point.angle = find_region_angle(k % n, n);
-  point.position = find_region_position(k % n, n, wear.slot_length);
+  point.angle = find_cell_angle(k % n, n);
+  point.position = find_cell_position(k % n, n, wear.slot_length);
   return point;
 }
 
@@ -58,7 +58,7 @@ DeepestPoint find_deepest(std::span<const double> depth) {
   if (depth.empty()) return {};
   const auto deepest = std::ranges::max_element(depth);
   if (!(*deepest > 0.0)) return {};
-  return {*deepest, find_region_angle(static_cast<std::size_t>(deepest - depth.begin()), depth.size())};
+  return {*deepest, find_cell_angle(static_cast<std::size_t>(deepest - depth.begin()), depth.size())};
 }
 
 std::vector<AngleRange> find_worn_ranges(std::span<const double> depth, double fraction) {
@@ -71,7 +71,7 @@ std::vector<AngleRange> find_worn_ranges(std::span<const double> depth, double f
   if (n == 0 || std::ranges::none_of(depth, [&](double d) { return d > threshold; })) return {};
   if (first_free == n) return {{0.0, 360.0}};
 
-  // once around from an unworn region, so that no range is cut at 0
+  // once around from an unworn cell, so that no range is cut at 0
   std::vector<AngleRange> ranges;
   for (std::size_t k = first_free; k < first_free + n; ++k) {
     if (!is_worn(k)) continue;
@@ -86,7 +86,7 @@ std::vector<AngleRange> find_worn_ranges(std::span<const double> depth, double f
 std::vector<SideRange> find_worn_sides(std::span<const double> depth, double length, double fraction) {
   const std::size_t n = depth.size() / 2;
   const double threshold = fraction * find_deepest(depth).depth;
-  const double region = n > 0 ? length / static_cast<double>(n) : 0.0;
+  const double cell = n > 0 ? length / static_cast<double>(n) : 0.0;
   std::vector<SideRange> ranges;
   for (std::size_t side = 0; side < 2; ++side) {
     const std::span<const double> at = depth.subspan(side * n, n);
@@ -94,9 +94,7 @@ std::vector<SideRange> find_worn_sides(std::span<const double> depth, double len
       if (!(at[k] > threshold)) continue;
       const std::size_t begin = k;
       while (k < n && at[k] > threshold) ++k;
-      const auto edge = [&](std::size_t region_edge) {
-        return region * static_cast<double>(region_edge) - 0.5 * length;
-      };
+      const auto edge = [&](std::size_t cell_edge) { return cell * static_cast<double>(cell_edge) - 0.5 * length; };
       ranges.push_back({side, edge(begin), edge(k)});
     }
   }

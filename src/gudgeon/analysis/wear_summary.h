@@ -33,8 +33,8 @@ struct SideRange {
 /// Largest value of a depth profile.
 struct DeepestPoint {
   double depth = 0.0;       ///< [m]
-  double angle = 0.0;       ///< [rad] of the middle of its region, on a round surface
-  double position = 0.0;    ///< [m] of the middle of its region on a slot's side, from the middle of the slot
+  double angle = 0.0;       ///< [rad] of the middle of its cell, on a round surface
+  double position = 0.0;    ///< [m] of the middle of its cell on a slot's side, from the middle of the slot
   std::size_t surface = 0;  ///< of a slot 0 left, 1 right; of a block its corner
 };
 
@@ -55,12 +55,12 @@ struct JointWearSummary {
   double clearance_share = 0.0;       ///< deepest added over the unworn clearance
 };
 
-/// A stage that deepens a joint by more than this share of its clearance has been magnified further than the motion on
-/// the surfaces it ran on can tell: the clearance itself is what that motion follows.
+/// A stage that deepens a joint by more than this share of its clearance has been accelerated further than the motion
+/// on the surfaces it ran on can tell: the clearance itself is what that motion follows.
 inline constexpr double kFarthestExtrapolation = 0.2;
 
 /// The total depth added by the stages 0 … stage_index together, over the bearing's circumference; empty when none
-/// has the joint. NumericalError when the stages have different numbers of regions.
+/// has the joint. NumericalError when the stages have different numbers of cells.
 std::vector<double> find_accumulated_depth(const RunRecord& run, std::size_t stage_index, const std::string& joint);
 
 /// One summary a clearance joint of that stage.
@@ -72,7 +72,7 @@ std::vector<AngleRange> find_worn_ranges(std::span<const double> depth, double f
 /// The same over the sides of a slot of that length [m]; depth holds the left side, then the right.
 std::vector<SideRange> find_worn_sides(std::span<const double> depth, double length, double fraction = kWornFraction);
 
-/// The deepest region of a circumference; zero depth at angle zero for an empty profile.
+/// The deepest cell of a circumference; zero depth at angle zero for an empty profile.
 DeepestPoint find_deepest(std::span<const double> depth);
 
 }  // namespace gudgeon

@@ -12,7 +12,7 @@
 namespace gudgeon {
 namespace {
 
-/// What a case is, apart from what is published about it.
+/// What a case is, apart from the reference values beside it.
 struct CaseTraits {
   const ReadRun* run = nullptr;
   std::vector<double> clearances;  ///< [m] one a clearance joint
@@ -32,7 +32,7 @@ CaseTraits find_traits(const ReadRun& run) {
   if (found != run.model->cases.end()) std::ranges::copy(found->overrides, std::back_inserter(changes));
   for (const auto& [path, value] : changes) {
     const bool is_told = path.ends_with("clearance") || (path.starts_with("drivers.") && path.ends_with(".speed"));
-    if (!is_told && path != "study.published") traits.others.emplace_back(path, value);
+    if (!is_told && path != "study.reference") traits.others.emplace_back(path, value);
   }
   std::ranges::sort(traits.others);
   return traits;

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "gudgeon/analysis/published.h"
+#include "gudgeon/analysis/reference_values.h"
 #include "gudgeon/app/text_output.h"
 #include "gudgeon/io/run_reader.h"
 #include "gudgeon/report/comparison_section.h"
@@ -19,9 +19,9 @@
 namespace gudgeon {
 namespace {
 
-std::vector<PublishedRow> make_published(const std::vector<PublishedValue>& published) {
-  std::vector<PublishedRow> rows;
-  for (const PublishedValue& value : published) {
+std::vector<ReferenceRow> make_reference(const std::vector<ReferenceValue>& reference) {
+  std::vector<ReferenceRow> rows;
+  for (const ReferenceValue& value : reference) {
     rows.push_back({value.quantity, value.channel, value.measure, value.values, {}});
   }
   return rows;
@@ -67,7 +67,7 @@ std::string summarize_case(const CaseRun& one, RunRecord run) {
     }
     return channels;
   });
-  return render_summary(run, make_published(one.published), find_color_wanted());
+  return render_summary(run, make_reference(one.reference), find_color_wanted());
 }
 
 void print_results(const std::vector<CaseRun>& cases, bool quiet) {

@@ -144,7 +144,7 @@ void run_case(CaseRun& one, const ReadCase& read_case, int index, Existing exist
     const ModelFile model = read_case(one.name);
     source = model.source;
     if (model.diagnostics.has_errors()) throw ModelError(model.diagnostics);
-    one.published = model.study.published;
+    one.reference = model.study.reference;
     run_stages(one, model, index, existing, clock, around);
   } catch (const ModelError& error) {
     one.code = ExitCode::model;

@@ -19,7 +19,7 @@ namespace gudgeon {
 struct CaseRun {
   std::string name;
   std::filesystem::path file;
-  std::vector<PublishedValue> published;  ///< known once it has run
+  std::vector<ReferenceValue> reference;  ///< known once it has run
   ExitCode code = ExitCode::done;
   bool wants_summary = true;
   bool is_written = false;  ///< the file holds this run

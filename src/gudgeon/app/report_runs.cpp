@@ -114,14 +114,14 @@ ReportCase read_report_case(const ReadRun& one, bool with_samples) {
     report.study = describe_study(model.mechanism, model.study);
     report.scene = make_scene(model.mechanism);
     report.functions = read_functions(one);
-    for (const PublishedValue& value : model.study.published) {
-      report.published.push_back({value.quantity, value.channel, value.measure, value.values, {}});
+    for (const ReferenceValue& value : model.study.reference) {
+      report.reference.push_back({value.quantity, value.channel, value.measure, value.values, {}});
     }
     const auto found = std::ranges::find(model.cases, model.case_name, &Case::name);
     if (found != model.cases.end()) {
       report.case_description = found->description;
       for (const auto& [path, value] : found->overrides) {
-        if (path != "study.published") report.case_settings.emplace_back(path, value);
+        if (path != "study.reference") report.case_settings.emplace_back(path, value);
       }
     }
   } else {

@@ -144,10 +144,10 @@ std::vector<NamedText> describe_study(const Mechanism& mechanism, const Study& s
   facts.emplace_back("Cycles a stage", fmt::format("{} after {} to warm up", study.cycles, study.warm_up_cycles));
   facts.emplace_back("Wear stages", fmt::format("{}", study.wear_stages));
   if (study.wear_stages > 0) {
-    facts.emplace_back("Magnification of wear", fmt::format("{:g}", study.magnification));
+    facts.emplace_back("Wear acceleration factor", fmt::format("{:g}", study.wear_acceleration));
     facts.emplace_back("Wear goes",
-                       study.deposition == Deposition::spread ? "over the contact arc" : "into one region");
-    facts.emplace_back("Regions of a circumference", fmt::format("{}", study.regions));
+                       study.wear_distribution == WearDistribution::spread ? "over the contact arc" : "into one cell");
+    facts.emplace_back("Cells of a circumference", fmt::format("{}", study.cells));
   }
   facts.emplace_back("Integrator", describe_integrator(mechanism, study.integrator));
   facts.emplace_back("Loops held by", study.stabilization == Stabilization::projection ? "projection" : "Baumgarte");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sums of many arcs laid onto a circumference of equal regions.
+// Sums of many arcs laid onto a circumference of equal cells.
 #pragma once
 
 #include <algorithm>
@@ -16,17 +16,17 @@
 namespace gudgeon {
 
 /// Adds constant amounts over arcs, also over such as move and grow: only where an arc's ends are, or pass, are changes
-/// noted, as first differences; sum() integrates them. Parabolas are added region by region. A region that an arc
+/// noted, as first differences; sum() integrates them. Parabolas are added cell by cell. A cell that an arc
 /// covers in part, or for part of its movement, gets that part, so that what is laid down in all equals mean amount
-/// times arc width, to rounding, whatever the number of regions.
+/// times arc width, to rounding, whatever the number of cells.
 class ArcAccumulator {
  public:
-  explicit ArcAccumulator(std::size_t n_regions)
-      : differences_(n_regions + 2, 0.0),
-        region_amounts_(n_regions, 0.0),
-        regions_per_radian_(static_cast<double>(n_regions) / (2.0 * std::numbers::pi)) {}
+  explicit ArcAccumulator(std::size_t n_cells)
+      : differences_(n_cells + 2, 0.0),
+        cell_amounts_(n_cells, 0.0),
+        cells_per_radian_(static_cast<double>(n_cells) / (2.0 * std::numbers::pi)) {}
 
-  /// What one end of a moving arc passes at an even speed, in regions from the seam on.
+  /// What one end of a moving arc passes at an even speed, in cells from the seam on.
   struct Ramp {
     double from = 0.0;
     double to = 0.0;
@@ -42,17 +42,17 @@ class ArcAccumulator {
   };
 
   /// From an arc of that width [rad] centred at `angle` [rad] to another centred `turn` [rad] farther, either way
-  /// round; the same for all that have as many regions. Within one circumference: what is more is not moved. An end
+  /// round; the same for all that have as many cells. Within one circumference: what is more is not moved. An end
   /// that passes less than a share `softness` of the mean width is spread over as much, about its middle.
   [[nodiscard]] Sweep find_sweep(double angle, double width, double turn, double end_width,
                                  double softness = 0.0) const noexcept {
-    const double n = static_cast<double>(region_amounts_.size());
+    const double n = static_cast<double>(cell_amounts_.size());
     const double room = std::max(2.0 * std::numbers::pi - 0.5 * (1.0 + softness) * (width + end_width), 0.0);
-    const double move = std::clamp(turn, -room, room) * regions_per_radian_;
-    const double half = 0.5 * width * regions_per_radian_;
-    const double end_half = 0.5 * end_width * regions_per_radian_;
+    const double move = std::clamp(turn, -room, room) * cells_per_radian_;
+    const double half = 0.5 * width * cells_per_radian_;
+    const double end_half = 0.5 * end_width * cells_per_radian_;
     const double least = 0.5 * softness * (half + end_half);
-    const double middle = angle * regions_per_radian_ + 0.5 * move;
+    const double middle = angle * cells_per_radian_ + 0.5 * move;
     const double rear = middle - 0.5 * (half + end_half);
     const double front = middle + 0.5 * (half + end_half);
     const double rear_half = std::max(0.5 * std::abs(move + half - end_half), least);
@@ -63,7 +63,7 @@ class ArcAccumulator {
   }
 
   /// Adds to every point the layer's amount times the share of the movement during which the arc covers it, on
-  /// circumferences of as many regions.
+  /// circumferences of as many cells.
   static void add_sweep(const Sweep& sweep, std::span<const Layer> layers) noexcept {
     const double rear = add_ramp(sweep.rear, 1.0, layers);
     const double front = add_ramp(sweep.front, -1.0, layers);
@@ -82,38 +82,38 @@ class ArcAccumulator {
   }
 
   /// Adds a parabola that vanishes at both ends of the arc, 3/2 mean_amount (1 − (2x/width)²) at x [rad] from its
-  /// centre, or its mean over a movement by `turn` [rad]. Every region gets the exact mean over it.
+  /// centre, or its mean over a movement by `turn` [rad]. Every cell gets the exact mean over it.
   void add_parabola(double angle, double width, double mean_amount, double turn = 0.0) noexcept {
-    const std::size_t n = region_amounts_.size();
-    const double regions = width * regions_per_radian_;
-    if (!(regions > 0.0)) return;
+    const std::size_t n = cell_amounts_.size();
+    const double cells = width * cells_per_radian_;
+    if (!(cells > 0.0)) return;
     const double path = std::abs(turn) / width;
     // A short movement is its middle, lest differences lose their digits: what that costs goes with its square.
     const bool moves = path > kLeastPath;
-    double first = (angle + (moves ? std::min(turn, 0.0) : 0.5 * turn)) * regions_per_radian_ - 0.5 * regions;
+    double first = (angle + (moves ? std::min(turn, 0.0) : 0.5 * turn)) * cells_per_radian_ - 0.5 * cells;
     first -= static_cast<double>(n) * std::floor(first / static_cast<double>(n));
-    const double all = mean_amount * regions;
+    const double all = mean_amount * cells;
     double before = 0.0;
     for (std::size_t k = static_cast<std::size_t>(first); before < 1.0; ++k) {
-      const double share = (static_cast<double>(k + 1) - first) / regions;
+      const double share = (static_cast<double>(k + 1) - first) / cells;
       const double held = moves ? hold_moved(share, path) : hold(share);
-      region_amounts_[k % n] += all * (held - before);
+      cell_amounts_[k % n] += all * (held - before);
       before = held;
     }
   }
 
-  /// Adds `amount` to the one region that holds the angle [rad].
+  /// Adds `amount` to the one cell that holds the angle [rad].
   void add_point(double angle, double amount) noexcept {
-    const double n = static_cast<double>(region_amounts_.size());
-    double position = angle * regions_per_radian_;
+    const double n = static_cast<double>(cell_amounts_.size());
+    double position = angle * cells_per_radian_;
     position -= n * std::floor(position / n);
-    const std::size_t region = static_cast<std::size_t>(position);
-    region_amounts_[region < region_amounts_.size() ? region : 0] += amount;
+    const std::size_t cell = static_cast<std::size_t>(position);
+    cell_amounts_[cell < cell_amounts_.size() ? cell : 0] += amount;
   }
 
-  /// The mean amount over each region.
+  /// The mean amount over each cell.
   [[nodiscard]] std::vector<double> sum() const {
-    std::vector<double> amounts = region_amounts_;
+    std::vector<double> amounts = cell_amounts_;
     double level = base_;
     for (std::size_t k = 0; k < amounts.size(); ++k) {
       level += differences_[k];
@@ -122,29 +122,29 @@ class ArcAccumulator {
     return amounts;
   }
 
-  void transfer(StateArchive& archive) { archive(differences_, region_amounts_, base_); }
+  void transfer(StateArchive& archive) { archive(differences_, cell_amounts_, base_); }
 
  private:
   static constexpr double kLeastPath = 1e-3;  // widths
 
   // Raises all that lies behind a ramp by `sign` times each layer's amount. Returns the share of it that is reached at
-  // the seam. What is noted are the differences of the ramp's mean over each region; between its ends they are equal.
+  // the seam. What is noted are the differences of the ramp's mean over each cell; between its ends they are equal.
   static double add_ramp(const Ramp& ramp, double sign, std::span<const Layer> layers) noexcept {
-    const std::size_t n = layers.front().surface->region_amounts_.size();
+    const std::size_t n = layers.front().surface->cell_amounts_.size();
     const std::size_t first = static_cast<std::size_t>(ramp.from);
     const std::size_t last = static_cast<std::size_t>(ramp.to);
     const double begin = static_cast<double>(first);
     const double end = static_cast<double>(last);
     const bool is_within_one = first == last;
     const double slope = is_within_one ? 0.0 : 1.0 / (ramp.to - ramp.from);
-    const auto find_inner = [&](double region) { return slope * (region + 0.5 - ramp.from); };
+    const auto find_inner = [&](double cell) { return slope * (cell + 0.5 - ramp.from); };
     const double first_share = is_within_one ? begin + 1.0 - 0.5 * (ramp.from + ramp.to)
                                              : 0.5 * slope * (begin + 1.0 - ramp.from) * (begin + 1.0 - ramp.from);
     const double last_share = is_within_one ? first_share : 1.0 - 0.5 * slope * (ramp.to - end) * (ramp.to - end);
     for (const Layer& layer : layers) {
       double* differences = layer.surface->differences_.data();
       const double amount = sign * layer.amount;
-      const auto wrap = [n](std::size_t region) { return region < n ? region : region - n; };
+      const auto wrap = [n](std::size_t cell) { return cell < n ? cell : cell - n; };
       differences[wrap(first)] += amount * first_share;
       if (last > first + 1) {
         differences[wrap(first + 1)] += amount * (find_inner(begin + 1.0) - first_share);
@@ -172,9 +172,9 @@ class ArcAccumulator {
   }
 
   std::vector<double> differences_;
-  std::vector<double> region_amounts_;  // of points and parabolas
-  double base_ = 0.0;                   // amount that covers every region from the seam on
-  double regions_per_radian_;
+  std::vector<double> cell_amounts_;  // of points and parabolas
+  double base_ = 0.0;                 // amount that covers every cell from the seam on
+  double cells_per_radian_;
 };
 
 }  // namespace gudgeon

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wear depth along a straight side, as a smooth curve through the depths of equal regions.
+// Wear depth along a straight side, as a smooth curve through the depths of equal cells.
 #pragma once
 
 #include <vector>
@@ -10,17 +10,17 @@
 
 namespace gudgeon {
 
-/// h(s) = Σ h_k B₃(s/Δ − k − ½), the uniform cubic B-spline of the region depths, mirrored at both ends of the side.
+/// h(s) = Σ h_k B₃(s/Δ − k − ½), the uniform cubic B-spline of the cell depths, mirrored at both ends of the side.
 ///
-/// Twice continuously differentiable, never outside the range of the region depths, and its integral over the side is
-/// exactly Δ Σ h_k: what a region near an end spreads beyond it comes back mirrored. Region k covers [k Δ, (k+1) Δ]
+/// Twice continuously differentiable, never outside the range of the cell depths, and its integral over the side is
+/// exactly Δ Σ h_k: what a cell near an end spreads beyond it comes back mirrored. Cell k covers [k Δ, (k+1) Δ]
 /// from the side's rear end, Δ = length/n; s is counted from the middle of the side. Beyond an end the depth stays the
 /// end's.
 class LineProfile {
  public:
   LineProfile() = default;
-  /// Depths [m] of at least four equal regions of a side of that length [m]; all zero (or none) is the unworn side.
-  LineProfile(std::vector<double> region_depths, double length);
+  /// Depths [m] of at least four equal cells of a side of that length [m]; all zero (or none) is the unworn side.
+  LineProfile(std::vector<double> cell_depths, double length);
 
   struct Value {
     double depth;  ///< h [m]
@@ -28,7 +28,7 @@ class LineProfile {
   };
 
   [[nodiscard]] bool is_worn() const { return worn_; }
-  [[nodiscard]] const std::vector<double>& region_depths() const { return depths_; }
+  [[nodiscard]] const std::vector<double>& cell_depths() const { return depths_; }
 
   /// No depth is less than this [m].
   [[nodiscard]] double least_depth() const { return least_depth_; }
@@ -41,7 +41,7 @@ class LineProfile {
  private:
   std::vector<double> depths_;
   std::vector<double> padded_;  // depths with both ends mirrored, so that four in a row always exist
-  double regions_per_meter_ = 0.0;
+  double cells_per_meter_ = 0.0;
   double least_depth_ = 0.0;
   RangeMinimum minima_;  // of the depths
   bool worn_ = false;

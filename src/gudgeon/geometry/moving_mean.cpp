@@ -56,7 +56,7 @@ void smooth_by_moving_means(std::vector<double>& values, double width, bool is_r
   const double all = static_cast<double>(values.size());
   width = std::min(width, kGreatestShare * all);
   if (!(width > 1.0)) return;
-  const auto half = static_cast<std::size_t>(0.5 * (width - 1.0));  // whole regions to either side
+  const auto half = static_cast<std::size_t>(0.5 * (width - 1.0));  // whole cells to either side
   const double rest = 0.5 * (width - 1.0) - static_cast<double>(half);
   for (int pass = 0; pass < kPasses; ++pass) {
     const std::vector<double> padded = find_padded(values, half + 1, is_round);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wear depth along a circumference, as a smooth curve through the depths of equal regions.
+// Wear depth along a circumference, as a smooth curve through the depths of equal cells.
 #pragma once
 
 #include <cmath>
@@ -12,16 +12,16 @@
 
 namespace gudgeon {
 
-/// h(φ) = Σ h_k B₃(φ/Δ − k − ½), the periodic uniform cubic B-spline whose coefficients are the region depths.
+/// h(φ) = Σ h_k B₃(φ/Δ − k − ½), the periodic uniform cubic B-spline whose coefficients are the cell depths.
 ///
-/// Twice continuously differentiable, never outside the range of the region depths, and its integral over the
-/// circumference is exactly Δ Σ h_k: the curve holds the volume that was deposited. A region's own depth spreads over
-/// two regions to each side with weights 1/6, 2/3, 1/6. Region k covers angles [k Δ, (k+1) Δ], Δ = 2π/n.
+/// Twice continuously differentiable, never outside the range of the cell depths, and its integral over the
+/// circumference is exactly Δ Σ h_k: the curve holds the volume that was deposited. A cell's own depth spreads over
+/// two cells to each side with weights 1/6, 2/3, 1/6. Cell k covers angles [k Δ, (k+1) Δ], Δ = 2π/n.
 class RadialProfile {
  public:
   RadialProfile() = default;
-  /// Depths [m] of at least four equal regions; all zero (or none at all) is the unworn surface.
-  explicit RadialProfile(std::vector<double> region_depths);
+  /// Depths [m] of at least four equal cells; all zero (or none at all) is the unworn surface.
+  explicit RadialProfile(std::vector<double> cell_depths);
 
   struct Value {
     double depth;  ///< h [m]
@@ -29,7 +29,7 @@ class RadialProfile {
   };
 
   [[nodiscard]] bool is_worn() const { return worn_; }
-  [[nodiscard]] const std::vector<double>& region_depths() const { return depths_; }
+  [[nodiscard]] const std::vector<double>& cell_depths() const { return depths_; }
 
   /// No depth is less than this [m].
   [[nodiscard]] double least_depth() const { return least_depth_; }
@@ -42,8 +42,8 @@ class RadialProfile {
  private:
   std::vector<double> depths_;
   std::vector<double> padded_;  // depths with the neighbours of both ends repeated, so that four in a row always exist
-  double regions_per_radian_ = 0.0;
-  double per_region_ = 0.0;  // of a turn
+  double cells_per_radian_ = 0.0;
+  double per_cell_ = 0.0;  // of a turn
   double least_depth_ = 0.0;
   RangeMinimum minima_;  // of the depths
   bool worn_ = false;

@@ -14,8 +14,8 @@
 #include "gudgeon/base/diagnostics.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/safe_file.h"
+#include "gudgeon/results/cells.h"
 #include "gudgeon/results/energy_balance.h"
-#include "gudgeon/results/regions.h"
 
 namespace gudgeon {
 
@@ -149,7 +149,7 @@ std::size_t find_row_count(const JointWear& wear) {
 
 // How many surfaces the longest series tells of.
 std::size_t find_surface_count(const JointWear& wear, std::size_t n_rows) {
-  const std::size_t n = wear.slot_length > 0.0 ? wear.n_regions() : n_rows;
+  const std::size_t n = wear.slot_length > 0.0 ? wear.n_cells() : n_rows;
   return n == 0 ? 1 : n_rows / n;
 }
 
@@ -162,14 +162,14 @@ std::string make_wear(const StageRecord& stage, const CsvOptions& options) {
   csv.add("joint");
   csv.end_row();
   for (const JointWear& wear : stage.wear) {
-    // One row a region; the corners of a block have more surfaces than the sides of its slot.
+    // One row a cell; the corners of a block have more surfaces than the sides of its slot.
     const std::size_t n_rows = find_row_count(wear);
     const std::size_t n = std::max<std::size_t>(1, n_rows / find_surface_count(wear, n_rows));
     for (std::size_t k = 0; k < n_rows; ++k) {
       csv.add_number(static_cast<double>(k / n));
-      csv.add(find_region_angle(k % n, n), "rad");
+      csv.add(find_cell_angle(k % n, n), "rad");
       if (wear.slot_length > 0.0) {
-        csv.add(find_region_position(k % n, n, wear.slot_length), "m");
+        csv.add(find_cell_position(k % n, n, wear.slot_length), "m");
       } else {
         csv.add_empty();
       }

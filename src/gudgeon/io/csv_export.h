@@ -33,7 +33,7 @@ std::set<std::string> list_csv_units(const RunRecord& run);
 /// Writes into the directory, which is made when missing, for every stage
 ///   STAGE_channels.csv    time and every channel whose values were read, a row a sample
 ///   STAGE_statistics.csv  a row a channel
-///   STAGE_wear.csv        a row a region of each joint, with the angle of the region's middle
+///   STAGE_wear.csv        a row a cell of each joint, with the angle of the cell's middle
 ///   STAGE_events.csv      a row a stay in contact
 ///   STAGE_energy.csv      a row a term of the ledger
 /// in SI and radians unless other units are asked for; numbers as short as they still read back to the same double, an

@@ -195,13 +195,13 @@ void write_kind(const RevoluteClearance& joint, SharedTables& shared, TomlLines&
   out.line("contact", toml_text(shared.contact_name(joint.contact)));
 }
 
-void write_published(const PublishedValue& published, TomlLines& out) {
-  out.raw("\n[[study.published]]\n");
-  out.line("quantity", toml_text(published.quantity));
-  out.line("channel", toml_text(published.channel));
-  out.line("measure", toml_text(published.measure));
+void write_reference(const ReferenceValue& reference, TomlLines& out) {
+  out.raw("\n[[study.reference]]\n");
+  out.line("quantity", toml_text(reference.quantity));
+  out.line("channel", toml_text(reference.channel));
+  out.line("measure", toml_text(reference.measure));
   std::string values;
-  for (const double value : published.values) values += (values.empty() ? "" : ", ") + toml_number(value);
+  for (const double value : reference.values) values += (values.empty() ? "" : ", ") + toml_number(value);
   out.line("values", fmt::format("[{}]", values));
 }
 
@@ -215,9 +215,9 @@ void write_study(const Study& study, TomlLines& out) {
   out.line("cycles", fmt::format("{}", study.cycles));
   out.line("warm_up_cycles", fmt::format("{}", study.warm_up_cycles));
   out.line("wear_stages", fmt::format("{}", study.wear_stages));
-  out.line("magnification", toml_number(study.magnification));
-  out.line("regions", fmt::format("{}", study.regions));
-  out.line("deposition", toml_text(choice_name<Deposition>(kDepositions, study.deposition)));
+  out.line("wear_acceleration", toml_number(study.wear_acceleration));
+  out.line("cells", fmt::format("{}", study.cells));
+  out.line("wear_distribution", toml_text(choice_name<WearDistribution>(kWearDistributions, study.wear_distribution)));
   out.line("compare_ideal", study.compare_ideal ? "true" : "false");
   out.line("outputs_per_cycle", fmt::format("{}", study.outputs_per_cycle));
   out.line("relative_tolerance", toml_number(study.relative_tolerance));
@@ -227,7 +227,7 @@ void write_study(const Study& study, TomlLines& out) {
   out.line("stabilization", toml_text(choice_name<Stabilization>(kStabilizations, study.stabilization)));
   out.line("baumgarte_alpha", toml_quantity(study.baumgarte_alpha, dimension::kPerTime));
   out.line("baumgarte_beta", toml_quantity(study.baumgarte_beta, dimension::kPerTime));
-  for (const PublishedValue& published : study.published) write_published(published, out);
+  for (const ReferenceValue& reference : study.reference) write_reference(reference, out);
 }
 
 }  // namespace

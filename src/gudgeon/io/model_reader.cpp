@@ -11,6 +11,7 @@
 #include <sstream>
 #include <utility>
 
+#include "gudgeon/io/old_keys.h"
 #include "gudgeon/io/read_sections.h"
 #include "gudgeon/io/table_reader.h"
 #include "gudgeon/model/check.h"
@@ -19,9 +20,21 @@ namespace gudgeon {
 
 namespace {
 
-void update_with_overrides(DocumentNode& root, ModelFile& model) {
-  for (const Override& change : model.overrides) {
-    const std::string origin = fmt::format("--set {}={}", change.path, change.value);
+/// The overrides that were asked for, under their present paths.
+void update_with_overrides(DocumentNode& root, std::span<const Override> given, ModelFile& model) {
+  for (const Override& one : given) {
+    const std::string origin = fmt::format("--set {}={}", one.path, one.value);
+    const Override& change = model.overrides.emplace_back(find_present_path(one.path), one.value);
+    if (change.path != one.path) {
+      const std::string where = fmt::format("(override {})", one.path);
+      model.source.origins[where] = origin;
+      const auto both = std::ranges::find(given, change.path, &Override::path);
+      if (both == given.end()) {
+        report_old_key(where, one.path, model.diagnostics);
+      } else {
+        report_both_keys(where, one.path, fmt::format("--set {}={}", both->path, both->value), model.diagnostics);
+      }
+    }
     update_document(root, change, origin, {}, model.source, model.diagnostics);
   }
 }
@@ -88,14 +101,16 @@ ModelDocument::ModelDocument(std::string file_name, std::string text) {
   source_.text = std::move(text);
   root_ = parse_document(source_, diagnostics_);
   if (!root_) return;
+  update_old_keys(*root_, "", "", source_, diagnostics_);
+  update_source(*root_, source_);
   cases_ = read_cases(*root_, source_, diagnostics_);
   for (std::size_t k = 0; k < cases_.size(); ++k) case_indices_.emplace(cases_[k].name, k);
-  update_source(*root_, source_);
   if (root_->table() != nullptr) std::erase_if(*root_->table(), [](const auto& entry) { return entry.key == "cases"; });
-  // Of the cases only what is wrong with one must keep its place.
+  // Of what is no longer in the document, cases and old keys, only what was reported must keep its place.
   for (const Diagnostic& item : diagnostics_.items()) {
-    const SourceSpan* span = item.path.starts_with("cases") ? source_.find(item.path) : nullptr;
-    if (span != nullptr) case_spans_.emplace(item.path, *span);
+    const bool is_gone = item.path.starts_with("cases") || find_present_path(item.path) != item.path;
+    const SourceSpan* span = is_gone ? source_.find(item.path) : nullptr;
+    if (span != nullptr) reported_spans_.emplace(item.path, *span);
   }
 }
 
@@ -117,6 +132,12 @@ void ModelDocument::update_with_case(DocumentNode& root, ModelFile& model) const
   model.cases.push_back(*one);
   for (const auto& [path, value] : one->overrides) {
     const SourceSpan* span = source_.find(fmt::format("cases.{}.set.{}", one->name, path));
+    for (const std::string& old_path : find_old_paths(path)) {
+      const auto old = source_.spans.find(fmt::format("cases.{}.set.{}", one->name, old_path));
+      if (old == source_.spans.end()) continue;
+      model.source.spans.insert(*old);
+      report_old_key(old->first, old_path, model.diagnostics);
+    }
     update_document(root, {path, value}, fmt::format("case '{}'", one->name), span == nullptr ? SourceSpan{} : *span,
                     model.source, model.diagnostics);
   }
@@ -126,14 +147,13 @@ ModelFile ModelDocument::read(std::string_view case_name, std::span<const Overri
   ModelFile model;
   model.source.file = source_.file;
   model.source.text = source_.text;
-  model.source.spans = root_ ? case_spans_ : source_.spans;
+  model.source.spans = root_ ? reported_spans_ : source_.spans;
   model.case_name = case_name;
-  model.overrides.assign(overrides.begin(), overrides.end());
   model.diagnostics = diagnostics_;
   if (!root_) return model;
   DocumentNode root = *root_;
   if (!model.case_name.empty()) update_with_case(root, model);
-  update_with_overrides(root, model);
+  update_with_overrides(root, overrides, model);
   update_source(root, model.source);
   read_sections(root, model);
   update_cycle(model.mechanism, model.study);

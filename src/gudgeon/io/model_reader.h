@@ -29,7 +29,7 @@ struct ModelFile {
   SourceMap source;
   Diagnostics diagnostics;
   std::string case_name;            ///< the case that was asked for; empty for none
-  std::vector<Override> overrides;  ///< those that were asked for beside the case
+  std::vector<Override> overrides;  ///< those that were asked for beside the case, under present paths
 };
 
 /// A model file taken apart once, for the models of all its cases: making one takes no longer, and no more memory,
@@ -51,9 +51,9 @@ class ModelDocument {
   [[nodiscard]] const Case* find_case(std::string_view name) const;
 
   SourceMap source_;
-  Diagnostics diagnostics_;                       // of syntax and cases
-  std::optional<DocumentNode> root_;              // without the cases
-  std::map<std::string, SourceSpan> case_spans_;  // of what is wrong with cases
+  Diagnostics diagnostics_;                           // of syntax and cases
+  std::optional<DocumentNode> root_;                  // without the cases
+  std::map<std::string, SourceSpan> reported_spans_;  // of what was reported and is not in root_
   std::vector<Case> cases_;
   std::map<std::string, std::size_t, std::less<>> case_indices_;
 };

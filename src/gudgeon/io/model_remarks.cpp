@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "gudgeon/io/old_keys.h"
+
 namespace gudgeon {
 
 namespace {
@@ -51,7 +53,7 @@ std::string drop_quotes(std::string_view text) {
   return plain;
 }
 
-/// "[joints.A]" and "[[study.published]]" as their paths.
+/// "[joints.A]" and "[[study.reference]]" as their paths.
 std::string read_header_path(std::string_view header) {
   const std::size_t first = header.find_first_not_of('[');
   const std::size_t end = header.find(']');
@@ -72,13 +74,14 @@ std::vector<ModelRemark> find_remarks(std::string_view model_text) {
     if (!has_remark || table == "cases" || table.starts_with("cases.")) return;
     const std::string remark(trim_blanks(line.substr(comment + 1)));
     if (code.starts_with('[')) {
-      remarks.push_back({table, "", remark});
+      remarks.push_back({find_present_path(table), "", remark});
       return;
     }
     const std::size_t equals = code.find('=');
     if (equals == std::string_view::npos) return;  // within a value of several lines
     const std::string key = drop_quotes(code.substr(0, equals));
-    remarks.push_back({table.empty() ? key : table + "." + key, drop_quotes(code.substr(equals + 1)), remark});
+    remarks.push_back(
+        {find_present_path(table.empty() ? key : table + "." + key), drop_quotes(code.substr(equals + 1)), remark});
   });
   return remarks;
 }

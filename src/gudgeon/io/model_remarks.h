@@ -12,7 +12,7 @@ namespace gudgeon {
 
 /// One line of the file that has a remark.
 struct ModelRemark {
-  std::string path;     ///< of the line's value or table, "joints.A.radial_clearance"
+  std::string path;     ///< of the line's value or table by its present name, "joints.A.radial_clearance"
   std::string written;  ///< the value as it stands there, without quotes; empty for a table's header
   std::string remark;   ///< "A: the paper is silent"
 };

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "gudgeon/io/nesting.h"
+#include "gudgeon/io/old_keys.h"
 #include "gudgeon/io/table_reader.h"
 
 namespace gudgeon {
@@ -82,17 +83,46 @@ void report_no_path(const DocumentNode& root, const Override& change, const std:
   diagnostics.error("E-FILE-010", where, fmt::format("the model has nothing at '{}'", change.path), notes);
 }
 
+/// An override of a case as it stands in the file.
+struct WrittenOverride {
+  std::string path;
+  const DocumentEntry* entry;
+};
+
 /// Collects "a.b.c" = value; a key with a dot names its path itself, tables under other keys are entered.
-void collect_overrides(const DocumentNode& node, const std::string& prefix, Case& into) {
+void collect_overrides(const DocumentNode& node, const std::string& prefix, std::vector<WrittenOverride>& into) {
   for (const DocumentEntry& entry : *node.table()) {
     const std::string path = prefix + entry.key;
     const bool names_path = entry.key.find('.') != std::string::npos;
     if (entry.node.table() != nullptr && !names_path) {
       collect_overrides(entry.node, path + ".", into);
     } else {
-      const auto* text = std::get_if<std::string>(&entry.node.value);
-      into.overrides.emplace_back(path, text != nullptr ? *text : entry.node.written);
+      into.push_back({path, &entry});
     }
+  }
+}
+
+/// Notes under which path the override stands in the file when that is an old one, and whether the present one is
+/// there as well.
+void note_old_path(const WrittenOverride& one, const std::string& present_path, std::string_view set_path,
+                   const std::vector<WrittenOverride>& all, ReadLog& log) {
+  const std::string where = fmt::format("{}.{}", set_path, one.path);
+  log.source.spans[where] = one.entry->key_span;
+  log.source.spans[fmt::format("{}.{}", set_path, present_path)] = one.entry->node.span;
+  const auto both = std::ranges::find(all, present_path, &WrittenOverride::path);
+  if (both == all.end()) return;
+  report_both_keys(where, one.path, describe_place(both->entry->key_span), log.diagnostics);
+}
+
+/// The overrides of a case, under their present paths.
+void read_overrides(const DocumentNode& set, std::string_view set_path, Case& into, ReadLog& log) {
+  std::vector<WrittenOverride> all;
+  collect_overrides(set, "", all);
+  for (const WrittenOverride& one : all) {
+    const std::string path = find_present_path(one.path);
+    if (path != one.path) note_old_path(one, path, set_path, all, log);
+    const auto* text = std::get_if<std::string>(&one.entry->node.value);
+    into.overrides.emplace_back(path, text != nullptr ? *text : one.entry->node.written);
   }
 }
 
@@ -109,7 +139,7 @@ std::vector<Case> read_cases(const DocumentNode& root, SourceMap& source, Diagno
     read.description = table.find_text("description").value_or("");
     if (const DocumentNode* set = table.find_required("set")) {
       if (set->table() != nullptr)
-        collect_overrides(*set, "", read);
+        read_overrides(*set, table.path_of("set"), read, log);
       else
         table.report("E-FILE-003", "set", "set must be a table of paths and values");
     }
@@ -129,6 +159,9 @@ void update_document(DocumentNode& root, const Override& change, const std::stri
   value.span = span;
   value.origin = origin;
   check_controls(value, change.path, diagnostics);
+  if (value.table() != nullptr) {
+    update_old_keys(value, change.path, register_override(change, origin, span, source), source, diagnostics);
+  }
   DocumentNode* holder = find_holder(root, change.path);
   const std::string key = change.path.substr(change.path.rfind('.') + 1);
   DocumentNode* old = holder == nullptr || key.empty() ? nullptr : find_child(*holder, key);

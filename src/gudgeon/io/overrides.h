@@ -19,7 +19,8 @@ struct Override {
   std::string value;
 };
 
-/// The [cases.NAME] tables of a document.
+/// The [cases.NAME] tables of a document, their overrides under present paths; one that stands there under an old path
+/// has both in the source map.
 std::vector<Case> read_cases(const DocumentNode& root, SourceMap& source, Diagnostics& diagnostics);
 
 /// Puts the value at its path. The table around it must be there; the reader then judges key and value.

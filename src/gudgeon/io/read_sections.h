@@ -24,9 +24,9 @@ inline constexpr std::array<std::pair<std::string_view, PressureDistribution>, 2
     {"uniform", PressureDistribution::uniform},
     {"parabolic", PressureDistribution::parabolic},
 }};
-inline constexpr std::array<std::pair<std::string_view, Deposition>, 2> kDepositions{{
-    {"spread", Deposition::spread},
-    {"point", Deposition::point},
+inline constexpr std::array<std::pair<std::string_view, WearDistribution>, 2> kWearDistributions{{
+    {"spread", WearDistribution::spread},
+    {"point", WearDistribution::point},
 }};
 inline constexpr std::array<std::pair<std::string_view, Integrator>, 3> kIntegrators{{
     {"automatic", Integrator::automatic},

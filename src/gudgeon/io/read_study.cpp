@@ -27,13 +27,13 @@ constexpr std::array<CountField, 5> kCounts{{
     {"cycles", &Study::cycles},
     {"warm_up_cycles", &Study::warm_up_cycles},
     {"wear_stages", &Study::wear_stages},
-    {"regions", &Study::regions},
+    {"cells", &Study::cells},
     {"outputs_per_cycle", &Study::outputs_per_cycle},
 }};
 
 constexpr std::array<QuantityField, 7> kQuantities{{
     {"cycle_time", dimension::kTime, &Study::cycle_time},
-    {"magnification", dimension::kNone, &Study::magnification},
+    {"wear_acceleration", dimension::kNone, &Study::wear_acceleration},
     {"relative_tolerance", dimension::kNone, &Study::relative_tolerance},
     {"absolute_tolerance", dimension::kNone, &Study::absolute_tolerance},
     {"max_step", dimension::kTime, &Study::max_step},
@@ -59,27 +59,27 @@ std::vector<double> read_values(TableReader& table) {
   return values;
 }
 
-std::vector<PublishedValue> read_published(TableReader& study) {
-  std::vector<PublishedValue> published;
-  const DocumentNode* node = study.find("published");
-  if (node == nullptr) return published;
+std::vector<ReferenceValue> read_reference(TableReader& study) {
+  std::vector<ReferenceValue> reference;
+  const DocumentNode* node = study.find("reference");
+  if (node == nullptr) return reference;
   const auto* array = std::get_if<DocumentNode::Array>(&node->value);
   if (array == nullptr) {
-    study.report("E-FILE-003", "published", "published must be an array of tables, [[study.published]]");
-    return published;
+    study.report("E-FILE-003", "reference", "reference must be an array of tables, [[study.reference]]");
+    return reference;
   }
   for (std::size_t i = 0; i < array->size(); ++i) {
-    const std::string path = fmt::format("{}.{}", study.path_of("published"), i);
-    TableReader table{(*array)[i], path, fmt::format("published value {}", i + 1), study.log()};
-    PublishedValue value;
+    const std::string path = fmt::format("{}.{}", study.path_of("reference"), i);
+    TableReader table{(*array)[i], path, fmt::format("reference value {}", i + 1), study.log()};
+    ReferenceValue value;
     value.quantity = table.read_text("quantity");
     value.channel = table.read_text("channel");
     value.measure = table.read_text("measure");
     value.values = read_values(table);
     table.check_unknown_keys();
-    published.push_back(std::move(value));
+    reference.push_back(std::move(value));
   }
-  return published;
+  return reference;
 }
 
 }  // namespace
@@ -96,11 +96,11 @@ Study read_study(TableReader& root) {
     const auto value = table->find_quantity(field.key, field.dimension);
     study.*field.member = value.value_or(study.*field.member);
   }
-  table->update_choice<Deposition>("deposition", kDepositions, study.deposition);
+  table->update_choice<WearDistribution>("wear_distribution", kWearDistributions, study.wear_distribution);
   table->update_choice<Integrator>("integrator", kIntegrators, study.integrator);
   table->update_choice<Stabilization>("stabilization", kStabilizations, study.stabilization);
   study.compare_ideal = table->find_switch("compare_ideal").value_or(study.compare_ideal);
-  study.published = read_published(*table);
+  study.reference = read_reference(*table);
   if (table->is_newer("cycle_time", "cycle_driver")) {
     study.cycle_driver.clear();
   } else if (table->is_newer("cycle_driver", "cycle_time")) {

@@ -16,6 +16,7 @@
 #include "gudgeon/io/hdf5_dataset.h"
 #include "gudgeon/io/hdf5_file.h"
 #include "gudgeon/io/hdf5_node.h"
+#include "gudgeon/io/old_keys.h"
 #include "gudgeon/io/record_fields.h"
 #include "gudgeon/io/run_tables.h"
 #include "gudgeon/io/safe_file.h"
@@ -82,7 +83,8 @@ RunRecord read_header(const Hdf5Handle& root) {
   run.explained = read_text(root, "explained");
   read_table(root, "overrides", kOverrideShape, [&](const void* bytes) {
     const auto& row = *static_cast<const OverrideRow*>(bytes);
-    run.overrides.emplace_back(row.path == nullptr ? "" : row.path, row.text == nullptr ? "" : row.text);
+    run.overrides.emplace_back(find_present_path(row.path == nullptr ? "" : row.path),
+                               row.text == nullptr ? "" : row.text);
   });
   return run;
 }

@@ -89,7 +89,7 @@ void check_depths(const JointWear& wear) {
   const bool is_whole =
       fits(wear.bearing_depth_added, wear.bearing_depth) && fits(wear.journal_depth_added, wear.journal_depth) &&
       fits(wear.total_depth_added, wear.bearing_depth) && wear.bearing_depth.size() % wear.n_bearing_surfaces() == 0;
-  if (!is_whole) throw FileError(fmt::format("the depths of joint '{}' are not as many as its regions", wear.joint));
+  if (!is_whole) throw FileError(fmt::format("the depths of joint '{}' are not as many as its cells", wear.joint));
 }
 
 void check_event(const ContactEvent& event, const StageRecord& stage) {

@@ -43,7 +43,7 @@ class JointResult {
   explicit JointResult(const JointWear& wear) : wear_(&wear) {}
 
   [[nodiscard]] const std::string& name() const { return wear_->joint; }
-  /// Depths after the stage: what all stages up to and with it have worn, times the study's magnification.
+  /// Depths after the stage: what all stages up to and with it have worn, times the wear acceleration.
   [[nodiscard]] DepthProfile bearing_depth() const;
   [[nodiscard]] DepthProfile journal_depth() const;
   /// What this stage alone has added to them.

@@ -36,9 +36,9 @@ void check_values(CheckRules& rules) {
   count("cycles", study.cycles, from_to(1, kUnbounded));
   count("warm_up_cycles", study.warm_up_cycles, kNotNegative);
   count("wear_stages", study.wear_stages, kNotNegative);
-  count("regions", study.regions, from_to(10, 1e6));
+  count("cells", study.cells, from_to(10, 1e6));
   count("outputs_per_cycle", study.outputs_per_cycle, from_to(1, kUnbounded));
-  quantity("magnification", study.magnification, dimension::kNone, kPositive);
+  quantity("wear_acceleration", study.wear_acceleration, dimension::kNone, kPositive);
   quantity("relative_tolerance", study.relative_tolerance, dimension::kNone, kTolerance);
   quantity("absolute_tolerance", study.absolute_tolerance, dimension::kNone, kTolerance);
   quantity("max_step", study.max_step, dimension::kTime, kNotNegative);
@@ -110,10 +110,10 @@ void check_wear(CheckRules& rules) {
         fmt::format("study: wear_stages is {}, but no contact of a joint wears", study.wear_stages),
         {"give a contact a wear law, or set wear_stages = 0"});
   }
-  if (study.deposition == Deposition::point && study.wear_stages > 0) {
+  if (study.wear_distribution == WearDistribution::point && study.wear_stages > 0) {
     rules.diagnostics.remark(
-        "R-STUDY-002", "study.deposition",
-        "study: deposition \"point\" does not conserve the worn volume; its depth depends on regions",
+        "R-STUDY-002", "study.wear_distribution",
+        "study: wear_distribution \"point\" does not conserve the worn volume; its depth depends on cells",
         {"\"spread\" conserves it"});
   }
 }
@@ -164,10 +164,11 @@ void check_room(CheckRules& rules, const StudySize& size) {
                     study.cycles, study.outputs_per_cycle, 1e-9 * size.stage_room, 1e-9 * size.room),
         {"lower outputs_per_cycle or cycles; peaks are found at every step whatever is recorded"});
   } else if (size.room > kMuchRoomInAll) {
-    rules.diagnostics.warning("W-STUDY-010", find_largest_count(study),
-                              fmt::format("study: {:.0f} stages of {:.0f} samples take up to {:.0f} GB of the run file",
-                                          size.n_stages, size.n_samples, 1e-9 * size.room),
-                              {"lower wear_stages, raise magnification instead; or record less (outputs_per_cycle)"});
+    rules.diagnostics.warning(
+        "W-STUDY-010", find_largest_count(study),
+        fmt::format("study: {:.0f} stages of {:.0f} samples take up to {:.0f} GB of the run file", size.n_stages,
+                    size.n_samples, 1e-9 * size.room),
+        {"lower wear_stages, raise wear_acceleration instead; or record less (outputs_per_cycle)"});
   }
 }
 
@@ -186,21 +187,22 @@ void check_duration(CheckRules& rules, const StudySize& size) {
           "millisecond a cycle and a microsecond a sample, which few mechanisms stay below, that takes {:.3g} days",
           size.n_stages, static_cast<long>(rules.study.cycles) + rules.study.warm_up_cycles, rules.study.warm_up_cycles,
           size.n_cycles, size.n_stages * size.n_samples, days),
-      {"lower wear_stages, cycles, warm_up_cycles or outputs_per_cycle; magnification lets few cycles wear like many"});
+      {"lower wear_stages, cycles, warm_up_cycles or outputs_per_cycle; wear_acceleration lets few cycles wear like "
+       "many"});
 }
 
-void check_published(CheckRules& rules) {
+void check_reference(CheckRules& rules) {
   static const std::vector<std::string> kMeasures{"peak", "wear_depth"};
-  for (std::size_t i = 0; i < rules.study.published.size(); ++i) {
-    const PublishedValue& published = rules.study.published[i];
-    const std::string path = fmt::format("study.published.{}", i);
-    const std::string subject = fmt::format("published value {}", i + 1);
-    if (std::ranges::find(kMeasures, published.measure) == kMeasures.end()) {
+  for (std::size_t i = 0; i < rules.study.reference.size(); ++i) {
+    const ReferenceValue& reference = rules.study.reference[i];
+    const std::string path = fmt::format("study.reference.{}", i);
+    const std::string subject = fmt::format("reference value {}", i + 1);
+    if (std::ranges::find(kMeasures, reference.measure) == kMeasures.end()) {
       rules.report_unknown("E-STUDY-007", path + ".measure",
-                           fmt::format("{}: there is no measure '{}'", subject, published.measure), published.measure,
+                           fmt::format("{}: there is no measure '{}'", subject, reference.measure), reference.measure,
                            "measures", kMeasures);
     }
-    if (published.channel.empty()) {
+    if (reference.channel.empty()) {
       rules.diagnostics.error("E-STUDY-008", path + ".channel", fmt::format("{}: channel is empty", subject));
     }
   }
@@ -215,7 +217,7 @@ void check_study(CheckRules& rules) {
   const StudySize size = find_size(rules.mechanism, rules.study);
   check_room(rules, size);
   check_duration(rules, size);
-  check_published(rules);
+  check_reference(rules);
 }
 
 }  // namespace gudgeon

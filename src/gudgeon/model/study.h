@@ -12,9 +12,9 @@
 namespace gudgeon {
 
 /// Where a step's worn volume goes.
-enum class Deposition {
+enum class WearDistribution {
   spread,  ///< over the contact arc: conserves k_d F s (default)
-  point,   ///< the whole depth into the one region of the contact point, as in the paper
+  point,   ///< the whole depth into the one cell of the contact point, as in the paper
 };
 
 /// How loop closures are held.
@@ -30,23 +30,23 @@ enum class Integrator {
   stiff,          ///< backward differentiation
 };
 
-/// A value known from elsewhere, set beside ours in the summary: [[published]] of the model file.
-struct PublishedValue {
+/// A value known from elsewhere, set beside ours in the summary: [[study.reference]] of the model file.
+struct ReferenceValue {
   std::string quantity;        ///< what it is, in words
   std::string channel;         ///< the channel or joint it belongs to
   std::string measure;         ///< "peak" (signed value of largest magnitude) or "wear_depth" (largest total depth)
-  std::vector<double> values;  ///< one a stage, in SI; NaN where nothing was published
+  std::vector<double> values;  ///< one a stage, in SI; NaN where none is known
 };
 
 struct Study {
-  std::string cycle_driver;    ///< one cycle is one turn of this driver; or
-  double cycle_time = 0.0;     ///< [s] one cycle
-  int cycles = 10;             ///< cycles a stage that count
-  int warm_up_cycles = 0;      ///< cycles before them that are left out of statistics and wear
-  int wear_stages = 0;         ///< how often the surfaces are rebuilt; there is one stage more
-  double magnification = 1.0;  ///< a stage's wear times this is what the surfaces lose
-  int regions = 1000;          ///< regions of each circumference
-  Deposition deposition = Deposition::spread;
+  std::string cycle_driver;        ///< one cycle is one turn of this driver; or
+  double cycle_time = 0.0;         ///< [s] one cycle
+  int cycles = 10;                 ///< cycles a stage that count
+  int warm_up_cycles = 0;          ///< cycles before them that are left out of statistics and wear
+  int wear_stages = 0;             ///< how often the surfaces are rebuilt; there is one stage more
+  double wear_acceleration = 1.0;  ///< a stage's wear times this is what the surfaces lose
+  int cells = 1000;                ///< cells of each circumference
+  WearDistribution wear_distribution = WearDistribution::spread;
   bool compare_ideal = true;         ///< also run the mechanism with ideal joints
   int outputs_per_cycle = 500;       ///< recorded samples a cycle
   double relative_tolerance = 1e-6;  ///< [1] local error a step, of each coordinate and rate
@@ -56,7 +56,7 @@ struct Study {
   Stabilization stabilization = Stabilization::projection;
   double baumgarte_alpha = 5.0;  ///< α [1/s]
   double baumgarte_beta = 5.0;   ///< β [1/s]
-  std::vector<PublishedValue> published;
+  std::vector<ReferenceValue> reference;
 };
 
 /// A named variant of the model: overrides of any value, as path and text, "joints.A.radial_clearance" = "0.3 mm".

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tables beside the ideal mechanism and beside published values.
+// Tables beside the ideal mechanism and beside reference values.
 #include "gudgeon/report/comparison_section.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ constexpr const char* kWhatDiffers =
     "  What differs by nature: impacts between journal and bearing are chaotic, so a peak agrees in magnitude, not in\n"
     "  sign or time, and changes with any change of model, tolerance or program; values the publication does not "
     "print\n"
-    "  are assumed (the model file marks them). Ratios are of magnitudes, ours over published.\n";
+    "  are assumed (the model file marks them). Ratios are of magnitudes, ours over reference.\n";
 
 /// Adds a row, or the reason why there is none.
 void add_error_row(Table& table, std::string& reasons, const StageRecord& stage, const StageRecord& ideal,
@@ -42,7 +42,7 @@ void add_error_row(Table& table, std::string& reasons, const StageRecord& stage,
 }
 
 /// One table, three columns a stage.
-std::string render_comparisons(std::span<const PublishedComparison> comparisons, bool color) {
+std::string render_comparisons(std::span<const ReferenceComparison> comparisons, bool color) {
   std::size_t n_values = 0;
   for (const auto& c : comparisons) n_values = std::max(n_values, c.ours.size());
   std::vector<TableColumn> columns{{"quantity"}};
@@ -53,10 +53,10 @@ std::string render_comparisons(std::span<const PublishedComparison> comparisons,
   }
   Table table(std::move(columns));
   for (const auto& c : comparisons) {
-    std::vector<std::string> row{c.published.quantity};
+    std::vector<std::string> row{c.reference.quantity};
     for (std::size_t k = 0; k < c.ours.size(); ++k) {
-      row.push_back(format_engineering(c.published.values[k], c.published.unit));
-      row.push_back(format_engineering(c.ours[k], c.published.unit));
+      row.push_back(format_engineering(c.reference.values[k], c.reference.unit));
+      row.push_back(format_engineering(c.ours[k], c.reference.unit));
       row.push_back(std::isnan(c.ratio[k]) ? std::string(kNoNumber) : fmt::format("{:.2f}", c.ratio[k]));
     }
     table.add_row(std::move(row));
@@ -98,11 +98,12 @@ std::string render_ideal_errors(const RunRecord& run, bool color) {
          (table.empty() ? "" : table.render(color)) + reasons;
 }
 
-std::string render_published(const RunRecord& run, std::span<const PublishedRow> published, bool color) {
-  if (published.empty()) return "";
-  std::vector<PublishedComparison> comparisons;
-  for (const PublishedRow& row : published) comparisons.push_back(compare_published(run, row));
-  return render_title("Beside the published values", color) + render_comparisons(comparisons, color) + kWhatDiffers;
+std::string render_reference(const RunRecord& run, std::span<const ReferenceRow> reference, bool color) {
+  if (reference.empty()) return "";
+  std::vector<ReferenceComparison> comparisons;
+  for (const ReferenceRow& row : reference) comparisons.push_back(compare_with_reference(run, row));
+  return render_title("Comparison with reference values", color) + render_comparisons(comparisons, color) +
+         kWhatDiffers;
 }
 
 }  // namespace gudgeon

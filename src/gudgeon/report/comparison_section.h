@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sections of the summary that set our values beside others: the ideal mechanism's and published ones.
+// Sections of the summary that set our values beside others: the ideal mechanism's and reference values.
 // A section with nothing to say is an empty text.
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "gudgeon/analysis/published.h"
+#include "gudgeon/analysis/reference_values.h"
 #include "gudgeon/results/run_record.h"
 
 namespace gudgeon {
@@ -20,7 +20,7 @@ std::vector<std::string> find_ideal_channels(const RunRecord& run);
 /// Error of the slider motion of every stage against the stage "ideal".
 std::string render_ideal_errors(const RunRecord& run, bool color);
 
-/// A row a published quantity: published, ours and their ratio for each stage.
-std::string render_published(const RunRecord& run, std::span<const PublishedRow> published, bool color);
+/// A row a reference quantity: reference, ours and their ratio for each stage.
+std::string render_reference(const RunRecord& run, std::span<const ReferenceRow> reference, bool color);
 
 }  // namespace gudgeon

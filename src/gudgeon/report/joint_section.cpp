@@ -16,11 +16,11 @@ namespace gudgeon {
 
 namespace {
 
-constexpr std::size_t kRangesShown = 4;  // what fits a line; more are scattered single regions
+constexpr std::size_t kRangesShown = 4;  // what fits a line; more are scattered single cells
 
 std::string format_percent(double part) { return fmt::format("{:.1f} %", 100.0 * part); }
 
-/// A last region that ends at 360 stays 360, one that passes it starts again from 0.
+/// A last cell that ends at 360 stays 360, one that passes it starts again from 0.
 std::string render_range(const AngleRange& range) {
   const double end = range.end > 360.0 ? range.end - 360.0 : range.end;
   return fmt::format("{:.0f}–{:.0f}°", range.begin, end);
@@ -32,7 +32,7 @@ std::string render_extrapolation(const std::string& stage, const JointWearSummar
   return fmt::format(
       "  note: stage {} deepens joint {} by {:.0f} % of its clearance at once; its motion would have changed on the "
       "way.\n"
-      "        Lower study.magnification and take more study.wear_stages.\n",
+      "        Lower study.wear_acceleration and take more study.wear_stages.\n",
       stage, wear.joint, 100.0 * wear.clearance_share);
 }
 
@@ -91,7 +91,8 @@ std::string render_wear(const RunRecord& run, bool color) {
     }
   }
   if (table.empty()) return "";
-  return render_title("Wear (bearing and journal together, in the bearing's body, magnified)", color) +
+  return render_title("Wear (bearing and journal together, in the bearing's body, times the wear acceleration)",
+                      color) +
          table.render(color) +
          fmt::format("  worn: deeper than {:.0f} % of the deepest so far; removed and k_d F s are of the stage alone\n",
                      100.0 * kWornFraction) +

@@ -93,11 +93,11 @@ std::string render_contents(const RunRecord& run, bool color) {
                {"contacts", Alignment::right},
                {"energy residual", Alignment::right},
                {"adds up"},
-               {"worn joints (regions)"}});
+               {"worn joints (cells)"}});
   for (const StageRecord& stage : run.stages) {
     std::string joints;
     for (const JointWear& wear : stage.wear) {
-      joints += fmt::format("{}{} ({})", joints.empty() ? "" : ", ", wear.joint, wear.n_regions());
+      joints += fmt::format("{}{} ({})", joints.empty() ? "" : ", ", wear.joint, wear.n_cells());
     }
     const std::string samples =
         stage.time.empty() ? std::string(kNoNumber) : format_count(static_cast<std::int64_t>(stage.time.size()));
@@ -112,10 +112,10 @@ std::string render_contents(const RunRecord& run, bool color) {
 
 }  // namespace
 
-std::string render_summary(const RunRecord& run, std::span<const PublishedRow> published, bool color) {
+std::string render_summary(const RunRecord& run, std::span<const ReferenceRow> reference, bool color) {
   return render_header(run, color) + render_stages(run, color) + render_limits_exceeded(run, color) +
          render_peaks(run, color) + render_wear(run, color) + render_contacts(run, color) +
-         render_ideal_errors(run, color) + render_energy(run, color) + render_published(run, published, color);
+         render_ideal_errors(run, color) + render_energy(run, color) + render_reference(run, reference, color);
 }
 
 std::string render_info(const RunRecord& outline, bool color) {

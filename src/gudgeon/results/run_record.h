@@ -78,7 +78,7 @@ struct SolverStatistics {
 };
 
 /// Wear of one clearance joint: where the stage started and what it added. Depths stand surface after surface, each
-/// with its regions: of a slot the left side, then the right, from rear to front; of a block its corners left rear,
+/// with its cells: of a slot the left side, then the right, from rear to front; of a block its corners left rear,
 /// left front, right rear, right front; one surface of a round bearing or pin.
 struct JointWear {
   std::string joint;
@@ -87,20 +87,20 @@ struct JointWear {
   double clearance = 0.0;                   ///< c [m], unworn
   double slot_length = 0.0;                 ///< [m] of either side of a slot; 0 for a round bearing
   double width = 0.0;                       ///< w [m]
-  std::vector<double> bearing_depth;        ///< [m] a region, of the surface this stage ran on
+  std::vector<double> bearing_depth;        ///< [m] a cell, of the surface this stage ran on
   std::vector<double> journal_depth;        ///< [m]
-  std::vector<double> bearing_depth_added;  ///< [m] a region, magnified, lost after this stage
+  std::vector<double> bearing_depth_added;  ///< [m] a cell, times the wear acceleration, lost after this stage
   std::vector<double> journal_depth_added;  ///< [m]
   std::vector<double> total_depth_added;    ///< [m] bearing and journal together, over the bearing's circumference
-  double archard_volume = 0.0;              ///< [m^3] ∫ k_d F ds of both surfaces, magnified
+  double archard_volume = 0.0;              ///< [m^3] ∫ k_d F ds of both surfaces, times the wear acceleration
   double removed_volume = 0.0;              ///< [m^3] of the added depths
-  double sliding_distance = 0.0;            ///< [m] in contact, not magnified; that of all contacts added
+  double sliding_distance = 0.0;            ///< [m] in contact, not accelerated; that of all contacts added
   double contact_time = 0.0;                ///< [s] in contact
   double impulse = 0.0;                     ///< [N s] ∫ F dt
 
   [[nodiscard]] std::size_t n_bearing_surfaces() const { return slot_length > 0.0 ? 2 : 1; }
   /// Of each surface.
-  [[nodiscard]] std::size_t n_regions() const { return bearing_depth.size() / n_bearing_surfaces(); }
+  [[nodiscard]] std::size_t n_cells() const { return bearing_depth.size() / n_bearing_surfaces(); }
 };
 
 enum class StageStatus { finished, stopped, failed };

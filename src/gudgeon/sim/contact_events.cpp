@@ -17,10 +17,10 @@ namespace gudgeon {
 namespace {
 
 // Parts of a step that are looked at one by one once a hidden crossing is possible: at least so many, and on worn
-// surfaces, whose gap may change from region to region, so many for each region passed, of which those are left out
+// surfaces, whose gap may change from cell to cell, so many for each cell passed, of which those are left out
 // in which it cannot close.
 constexpr int kParts = 8;
-constexpr double kPartsPerRegion = 2.0;
+constexpr double kPartsPerCell = 2.0;
 constexpr double kMostParts = 1e6;
 // A cubic through the ends of a step may miss the true gap by this share of how far the gap could move in it.
 constexpr double kMargin = 0.1;
@@ -39,15 +39,15 @@ bool may_rise_above(double value_a, double slope_a, double value_b, double slope
   return false;
 }
 
-double count_regions(const RadialProfile& profile) {
-  return static_cast<double>(profile.region_depths().size()) / (2.0 * std::numbers::pi);
+double count_cells(const RadialProfile& profile) {
+  return static_cast<double>(profile.cell_depths().size()) / (2.0 * std::numbers::pi);
 }
 
 GapState find_gap_state(const RevoluteSurfaces& surfaces, const RelativeMotion& motion) noexcept {
   const RevoluteGap gap = find_revolute_gap(surfaces, motion);
   const double turning = gap.eccentricity > 0.0 ? cross(gap.normal, motion.velocity) / gap.eccentricity : 0.0;
   const double fastest = std::max(std::abs(turning - motion.bearing_rate), std::abs(turning - motion.journal_rate));
-  const double per_radian = std::max(count_regions(surfaces.bearing_wear), count_regions(surfaces.journal_wear));
+  const double per_radian = std::max(count_cells(surfaces.bearing_wear), count_cells(surfaces.journal_wear));
   return {gap.eccentricity - surfaces.least_clearance(),
           dot(gap.normal, motion.velocity),
           fastest * per_radian,
@@ -65,9 +65,9 @@ void set_overrun(const GuideSurfaces& surfaces, double position, double position
 GapState find_gap_state(const GuideSurfaces& surfaces, const RelativeMotion& motion) noexcept {
   const GuideGap gap = find_guide_gap(surfaces, motion);
   const double per_meter =
-      static_cast<double>(surfaces.bearing_wear.region_depths().size()) / (2.0 * surfaces.half_length);
+      static_cast<double>(surfaces.bearing_wear.cell_depths().size()) / (2.0 * surfaces.half_length);
   const double sliding = std::abs(gap.position_rate) * per_meter;
-  const double rolling = std::abs(motion.journal_rate - motion.bearing_rate) * count_regions(surfaces.journal_wear);
+  const double rolling = std::abs(motion.journal_rate - motion.bearing_rate) * count_cells(surfaces.journal_wear);
   GapState state{gap.reach, gap.reach_rate, std::max(sliding, rolling), gap.penetration, gap.penetration_rate};
   set_overrun(surfaces, gap.bearing_position, gap.position_rate, state);
   return state;
@@ -155,9 +155,9 @@ std::optional<double> ContactEvents::find_crossing(std::size_t contact, double s
   double before = 0.0;
   double value_before = sign * start.penetration;
   double rate_before = sign * start.penetration_rate;
-  const bool over_regions = sign > 0.0 && n_parts > kParts;
+  const bool over_cells = sign > 0.0 && n_parts > kParts;
   for (int part = 1; part <= n_parts; ++part) {
-    if (over_regions) {
+    if (over_cells) {
       const int clear = find_clear_part(contact, limit, n_parts, part - 1, step, workspace);
       if (clear == n_parts) break;
       before = limit * clear / n_parts;
@@ -243,8 +243,8 @@ int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, c
   const bool closes = end.penetration > 0.0;
   if (!closes && !is_near && !may_rise(start.reach, start.reach_rate, end.reach, end.reach_rate)) return 0;
   if (!is_worn(tables_->contacts[contact].surfaces)) return kParts;
-  const double passed = h * std::max(start.region_rate, end.region_rate);
-  return std::max(kParts, static_cast<int>(std::min(kPartsPerRegion * passed, kMostParts)));
+  const double passed = h * std::max(start.cell_rate, end.cell_rate);
+  return std::max(kParts, static_cast<int>(std::min(kPartsPerCell * passed, kMostParts)));
 }
 
 std::optional<ContactChange> ContactEvents::find_first_change(const DenseStep& step,

@@ -17,7 +17,7 @@ namespace gudgeon {
 struct GapState {
   double reach = 0.0;        ///< [m] the penetration that the least wear depths would leave, never below δ; in flight
   double reach_rate = 0.0;   ///< [m/s]
-  double region_rate = 0.0;  ///< [1/s] regions of wear passed, on the surface where they pass faster; in flight
+  double cell_rate = 0.0;    ///< [1/s] cells of wear passed, on the surface where they pass faster; in flight
   double penetration = 0.0;  ///< δ [m]
   double penetration_rate = 0.0;  ///< δ̇ [m/s]
   double overrun = 0.0;           ///< [m] past the end of a slot; <= 0 within it and in a round bearing
@@ -38,7 +38,7 @@ class ContactEvents {
   /// Gaps at coordinates that the workspace was last updated for.
   void find_gaps(Workspace& workspace, std::vector<GapState>& gaps) const noexcept;
   /// The same where the workspace was evaluated with these latches: what a latched contact pressed with is known, and
-  /// no more than that is found of its gap (no reach and no region rate, which only matter in flight).
+  /// no more than that is found of its gap (no reach and no cell rate, which only matter in flight).
   void find_gaps(Workspace& workspace, std::span<const ContactLatch> latches,
                  std::vector<GapState>& gaps) const noexcept;
   /// All of one gap, at points that are up to date.

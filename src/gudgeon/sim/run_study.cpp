@@ -29,14 +29,14 @@ std::vector<double> add_depths(std::vector<double> depth, const std::vector<doub
 }
 
 // The surfaces that the next stage runs on, and how far they have slid.
-void rebuild_surfaces(System& system, const StageRecord& stage, double magnification) {
+void rebuild_surfaces(System& system, const StageRecord& stage, double wear_acceleration) {
   for (std::size_t k = 0; k < stage.wear.size(); ++k) {
     const JointWear& wear = stage.wear[k];
     set_surfaces(system, k, add_depths(wear.bearing_depth, wear.bearing_depth_added),
                  add_depths(wear.journal_depth, wear.journal_depth_added));
     const ContactGroup& group = system.tables.contact_groups[k];
     for (int c = group.first_contact; c < group.end_contact; ++c) {
-      system.tables.contacts[c].sliding_distance += magnification * wear.sliding_distance;
+      system.tables.contacts[c].sliding_distance += wear_acceleration * wear.sliding_distance;
     }
   }
 }
@@ -93,7 +93,7 @@ class StudyRunner {
         break;
       }
       if (is_stopped_before(stage_name(wear_updates + 1))) break;
-      rebuild_surfaces(system, stages_.back(), study_.magnification);
+      rebuild_surfaces(system, stages_.back(), study_.wear_acceleration);
     }
     return std::move(stages_);
   }
@@ -136,7 +136,7 @@ class StudyRunner {
 
   // A stage that cannot be run is told like one that could not go on.
   void fail_stage(const std::string& name, const std::string& reason) {
-    end_stage(name, StageStatus::failed, fmt::format("E-NUM-004: {}; lower study.magnification", reason));
+    end_stage(name, StageStatus::failed, fmt::format("E-NUM-004: {}; lower study.wear_acceleration", reason));
   }
 
   void end_stage(const std::string& name, StageStatus status, std::string message) {

@@ -21,8 +21,8 @@ std::uint32_t find_surface_checksum(const Tables& tables) {
   for (const Contact& contact : tables.contacts) {
     std::visit(
         [&](const auto& surfaces) {
-          sum = add(sum, surfaces.bearing_wear.region_depths());
-          sum = add(sum, surfaces.journal_wear.region_depths());
+          sum = add(sum, surfaces.bearing_wear.cell_depths());
+          sum = add(sum, surfaces.journal_wear.cell_depths());
         },
         contact.surfaces);
     sum = add(sum, {contact.sliding_distance});

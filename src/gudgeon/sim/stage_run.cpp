@@ -48,7 +48,7 @@ StageRun::StageRun(const System& system, const Study& study, double cycle_time, 
   for (const ContactGroup& group : system_.tables.contact_groups) {
     const auto first = static_cast<std::size_t>(group.first_contact);
     const auto n = static_cast<std::size_t>(group.end_contact) - first;
-    wear_.emplace_back(contacts.subspan(first, n), study.deposition, study.regions, study.magnification);
+    wear_.emplace_back(contacts.subspan(first, n), study.wear_distribution, study.cells, study.wear_acceleration);
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pressure, laws, and the two rules of deposition.
+// Pressure, laws, and the two rules of distribution.
 #include "gudgeon/sim/wear_deposit.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr double kParabolaPeak = 1.5;
 constexpr double kLeastPenetration = 1e-12;
 
 // The ends of an arc, where pressure goes to zero between elastic bodies, are ramps of this share of it at least: a
-// step there would make a worn surface the rougher the finer its regions.
+// step there would make a worn surface the rougher the finer its cells.
 constexpr double kSoftEdge = 0.1;
 
 // Depths are told no finer than this share of the contact's mean length: shorter waves come from the steps that it was
@@ -63,19 +63,19 @@ double find_wear_rate(const AnyWear& any, const WearContact& contact) noexcept {
   return std::visit([&](const auto& law) { return law(contact); }, any);
 }
 
-// Surface after surface; of a round one the last region is beside the first.
-std::vector<double> find_magnified(const std::vector<ArcAccumulator>& deposits, double magnification, double finest,
-                                   bool is_round) {
+// Surface after surface; of a round one the last cell is beside the first.
+std::vector<double> find_accelerated(const std::vector<ArcAccumulator>& deposits, double wear_acceleration,
+                                     double finest, bool is_round) {
   std::vector<double> depths;
   for (const ArcAccumulator& deposit : deposits) {
     std::vector<double> surface = deposit.sum();
     smooth_by_moving_means(surface, finest * static_cast<double>(surface.size()), is_round);
-    for (const double depth : surface) depths.push_back(depth * magnification);
+    for (const double depth : surface) depths.push_back(depth * wear_acceleration);
   }
   return depths;
 }
 
-// Depth over the regions of n circumferences, as volume.
+// Depth over the cells of n circumferences, as volume.
 double find_volume(const std::vector<double>& depths, std::size_t n, double radius, double width) {
   double sum = 0.0;
   for (const double depth : depths) sum += depth;
@@ -87,13 +87,14 @@ template <class Profile>
 void copy_depths(const Profile& profile, int surface, std::size_t n, std::vector<double>& depths) {
   if (!profile.is_worn()) return;
   const auto first = static_cast<std::size_t>(surface) * (depths.size() / n);
-  std::ranges::copy(profile.region_depths(), depths.begin() + static_cast<std::ptrdiff_t>(first));
+  std::ranges::copy(profile.cell_depths(), depths.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
 }  // namespace
 
-WearDeposit::WearDeposit(std::span<const Contact> contacts, Deposition deposition, int n_regions, double magnification)
-    : contacts_(contacts), deposition_(deposition), magnification_(magnification) {
+WearDeposit::WearDeposit(std::span<const Contact> contacts, WearDistribution distribution, int n_cells,
+                         double wear_acceleration)
+    : contacts_(contacts), distribution_(distribution), wear_acceleration_(wear_acceleration) {
   if (const auto* slot = std::get_if<GuideSurfaces>(&contacts.front().surfaces)) {
     slot_length_ = 2.0 * slot->half_length;
     bearing_radius_ = slot_length_ / (2.0 * std::numbers::pi);
@@ -103,7 +104,7 @@ WearDeposit::WearDeposit(std::span<const Contact> contacts, Deposition depositio
     bearing_radius_ = round.bearing_radius;
     journal_radius_ = round.journal_radius;
   }
-  const ArcAccumulator none(static_cast<std::size_t>(n_regions));
+  const ArcAccumulator none(static_cast<std::size_t>(n_cells));
   for (const Contact& contact : contacts) {
     bearing_.resize(std::max(bearing_.size(), static_cast<std::size_t>(contact.bearing_surface) + 1), none);
     journal_.resize(std::max(journal_.size(), static_cast<std::size_t>(contact.journal_surface) + 1), none);
@@ -150,7 +151,7 @@ void WearDeposit::add(std::span<const StepSample> samples) noexcept {
   volume_ += (worn.bearing + worn.journal) * contacts_.front().width;
   if (!is_placed) {
     lay_at(find_place(*last), worn);
-  } else if (deposition_ == Deposition::point) {
+  } else if (distribution_ == WearDistribution::point) {
     lay_points(known, worn);
   } else {
     lay_path(known, worn);
@@ -168,7 +169,7 @@ WearDeposit::Amounts WearDeposit::find_rates(const ContactSample& sample, double
   const Contact& contact = contacts_.front();  // its laws and width are those of all
   WearContact wear{sample.normal_force / contact.width, std::abs(sample.slip_speed),
                    std::abs(sample.friction_force) / sample.normal_force, sample.bearing_depth,
-                   contact.sliding_distance + magnification_ * distance};
+                   contact.sliding_distance + wear_acceleration_ * distance};
   const double bearing = find_wear_rate(contact.bearing_wear, wear);
   wear.depth = sample.journal_depth;
   return {bearing, find_wear_rate(contact.journal_wear, wear)};
@@ -356,13 +357,13 @@ void WearDeposit::lay_between(const Place& from, const Place& to, const Amounts&
 void WearDeposit::lay(std::initializer_list<ArcAccumulator::Layer> layers, double angle, double width, double turn,
                       double end_width) const noexcept {
   const bool parabolic = contacts_.front().pressure == PressureDistribution::parabolic;
-  if (deposition_ == Deposition::spread && !parabolic) {
+  if (distribution_ == WearDistribution::spread && !parabolic) {
     const ArcAccumulator& any = *layers.begin()->surface;
     ArcAccumulator::add_sweep(any.find_sweep(angle, width, turn, end_width, kSoftEdge), layers);
     return;
   }
   for (const auto& [surface, mean_depth] : layers) {
-    if (deposition_ == Deposition::point) {
+    if (distribution_ == WearDistribution::point) {
       surface->add_point(angle, parabolic ? kParabolaPeak * mean_depth : mean_depth);
     } else {
       surface->add_parabola(angle, 0.5 * (width + end_width), mean_depth, turn);
@@ -381,7 +382,7 @@ double WearDeposit::find_side_angle(double position, double width) const noexcep
 double WearDeposit::find_finest_length() const noexcept {
   const double worn = volume_ / contacts_.front().width;
   const bool parabolic = contacts_.front().pressure == PressureDistribution::parabolic;
-  return deposition_ == Deposition::spread && !parabolic && worn > 0.0 ? kFinest * length_sum_ / worn : 0.0;
+  return distribution_ == WearDistribution::spread && !parabolic && worn > 0.0 ? kFinest * length_sum_ / worn : 0.0;
 }
 
 JointWear WearDeposit::summarize(const std::string& joint) const {
@@ -393,9 +394,9 @@ JointWear WearDeposit::summarize(const std::string& joint) const {
   wear.width = contacts_.front().width;
   const double finest = find_finest_length() / (2.0 * std::numbers::pi);
   const bool is_round = slot_length_ == 0.0;
-  wear.bearing_depth_added = find_magnified(bearing_, magnification_, finest / bearing_radius_, is_round);
-  wear.journal_depth_added = find_magnified(journal_, magnification_, finest / journal_radius_, true);
-  wear.total_depth_added = find_magnified(total_, magnification_, finest / bearing_radius_, is_round);
+  wear.bearing_depth_added = find_accelerated(bearing_, wear_acceleration_, finest / bearing_radius_, is_round);
+  wear.journal_depth_added = find_accelerated(journal_, wear_acceleration_, finest / journal_radius_, true);
+  wear.total_depth_added = find_accelerated(total_, wear_acceleration_, finest / bearing_radius_, is_round);
   wear.bearing_depth.assign(wear.bearing_depth_added.size(), 0.0);
   wear.journal_depth.assign(wear.journal_depth_added.size(), 0.0);
   for (const Contact& contact : contacts_) {
@@ -406,7 +407,7 @@ JointWear WearDeposit::summarize(const std::string& joint) const {
         },
         contact.surfaces);
   }
-  wear.archard_volume = volume_ * magnification_;
+  wear.archard_volume = volume_ * wear_acceleration_;
   wear.removed_volume = find_volume(wear.bearing_depth_added, bearing_.size(), bearing_radius_, wear.width) +
                         find_volume(wear.journal_depth_added, journal_.size(), journal_radius_, wear.width);
   wear.sliding_distance = sliding_distance_;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wear of one clearance joint, laid down region by region while a stage runs.
+// Wear of one clearance joint, laid down cell by cell while a stage runs.
 #pragma once
 
 #include <initializer_list>
@@ -17,16 +17,17 @@ namespace gudgeon {
 
 /// dh = ḣ dt for both surfaces of one joint; eqs. (26) to (32) of the paper. The laws are asked once for an arc, with
 /// its mean pressure F/(w L) and with what holds at its middle; as they are proportional to the pressure, its
-/// distribution is that of the depth, and the volume is that of a unit length under F/w. Spread deposition lays the
-/// depth over the arc as it moves and grows over the step, so that neither the removed volume nor a region's depth
-/// depends on the number of regions or of steps; point deposition gives the depth at the middle to the one region of
+/// distribution is that of the depth, and the volume is that of a unit length under F/w. Spread distribution lays the
+/// depth over the arc as it moves and grows over the step, so that neither the removed volume nor a cell's depth
+/// depends on the number of cells or of steps; point distribution gives the depth at the middle to the one cell of
 /// the contact point. Each side of a slot is laid out as a circumference of its length whose ends do not meet; a
 /// contact that reaches past an end wears the last part of the side.
 class WearDeposit {
  public:
-  /// The contacts of one joint. What the stage wears is handed out times the magnification, and the laws see the
+  /// The contacts of one joint. What the stage wears is handed out times the wear acceleration, and the laws see the
   /// sliding distance so.
-  WearDeposit(std::span<const Contact> contacts, Deposition deposition, int n_regions, double magnification = 1.0);
+  WearDeposit(std::span<const Contact> contacts, WearDistribution distribution, int n_cells,
+              double wear_acceleration = 1.0);
 
   /// One contact at one stage of an accepted step.
   struct StepSample {
@@ -44,7 +45,7 @@ class WearDeposit {
   /// Time spent in contact.
   void add_contact_time(double time) noexcept { contact_time_ += time; }
 
-  /// What the stage wore, magnified. The surfaces it ran on are taken from the contact.
+  /// What the stage wore, times the wear acceleration. The surfaces it ran on are taken from the contact.
   [[nodiscard]] JointWear summarize(const std::string& joint) const;
 
   void transfer(StateArchive& archive) {
@@ -88,10 +89,10 @@ class WearDeposit {
   [[nodiscard]] double find_finest_length() const noexcept;
 
   std::span<const Contact> contacts_;
-  Deposition deposition_;
-  double magnification_;
+  WearDistribution distribution_;
+  double wear_acceleration_;
   double slot_length_ = 0.0;             // [m]; 0 for a round bearing
-  double bearing_radius_ = 0.0;          // [m] of the circumference its regions stand for
+  double bearing_radius_ = 0.0;          // [m] of the circumference its cells stand for
   double journal_radius_ = 0.0;          // [m]
   std::vector<ArcAccumulator> bearing_;  // one a surface
   std::vector<ArcAccumulator> journal_;  // one a surface

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How near a free journal can come to worn surfaces between two instants, whatever their regions.
+// How near a free journal can come to worn surfaces between two instants, whatever their cells.
 #pragma once
 
 #include "gudgeon/geometry/contact_surfaces.h"

@@ -46,7 +46,7 @@ struct Contact {
   double onset_speed_floor = 0.0;  ///< [m/s]
   NormalDirection normal_direction = NormalDirection::gap_gradient;
   PressureDistribution pressure = PressureDistribution::uniform;
-  double sliding_distance = 0.0;  ///< [m] slid in the stages before this one, magnified
+  double sliding_distance = 0.0;  ///< [m] slid in the stages before this one, times the wear acceleration
 };
 
 /// What changes only at accepted events: whether the surfaces are taken to touch, and how fast they met.

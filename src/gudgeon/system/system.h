@@ -33,7 +33,7 @@ System compile(const Mechanism& mechanism, const Assembly& assembly);
 /// The state that puts every body where the assembly has it.
 State make_state(const System& system, const Assembly& assembly);
 
-/// Replaces the worn surfaces of one contact group, between stages: depths [m] a region, surface after surface. None at
+/// Replaces the worn surfaces of one contact group, between stages: depths [m] a cell, surface after surface. None at
 /// all leaves a body's surfaces unworn.
 void set_surfaces(System& system, std::size_t group, std::span<const double> bearing_depths,
                   std::span<const double> journal_depths);

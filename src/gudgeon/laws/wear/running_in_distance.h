@@ -13,10 +13,11 @@ namespace gudgeon {
 
 /// ḣ = [k_∞ + (k₀ − k_∞) exp(−s/s_r)] p |v|
 ///
-/// p [Pa] contact pressure, |v| [m/s] slip speed, s [m] distance slid in this joint so far, magnified, k₀ and k_∞
-/// [1/Pa] linear wear coefficient of the new and of the run-in surface, s_r [m] distance over which it runs in. s = 0:
-/// archard with k₀; s ≫ s_r: archard with k_∞. The whole joint runs in at once, also within a stage. The volume at
-/// constant load is F [k_∞ s + (k₀ − k_∞) s_r (1 − exp(−s/s_r))], the exponential transient of Queener et al. 1965.
+/// p [Pa] contact pressure, |v| [m/s] slip speed, s [m] distance slid in this joint so far, times the wear
+/// acceleration, k₀ and k_∞ [1/Pa] linear wear coefficient of the new and of the run-in surface, s_r [m] distance over
+/// which it runs in. s = 0: archard with k₀; s ≫ s_r: archard with k_∞. The whole joint runs in at once, also within a
+/// stage. The volume at constant load is F [k_∞ s + (k₀ − k_∞) s_r (1 − exp(−s/s_r))], the exponential transient of
+/// Queener et al. 1965.
 struct RunningInDistance {
   double initial_coefficient = kRequired;  ///< k₀ [1/Pa]
   double steady_coefficient = kRequired;   ///< k_∞ [1/Pa]

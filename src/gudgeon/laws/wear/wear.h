@@ -16,7 +16,7 @@ struct WearContact {
   double slip_speed;                  ///< |v| [m/s]
   double friction_coefficient = 0.0;  ///< |μ| [1], so that μ p |v| is the friction power of a unit of area
   double depth = 0.0;                 ///< h [m] that this surface has lost here before this stage
-  double sliding_distance = 0.0;      ///< s [m] slid in this joint, magnified, up to now
+  double sliding_distance = 0.0;      ///< s [m] slid in this joint up to now, times the wear acceleration
 };
 
 /// A wear law maps them to the rate of depth loss ḣ [m/s], >= 0, proportional to the pressure: the volume lost over an

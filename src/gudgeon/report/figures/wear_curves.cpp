@@ -76,21 +76,21 @@ Numbers place_across(const SurfaceProfile& profile) {
   return make_numbers(std::move(place));
 }
 
-std::size_t find_deepest_region(const SurfaceProfile& profile) {
+std::size_t find_deepest_cell(const SurfaceProfile& profile) {
   return static_cast<std::size_t>(std::ranges::max_element(*profile.depth) - profile.depth->begin());
 }
 
-/// A round profile cut open opposite to a region, so that the place around the region is whole.
-SurfaceProfile cut_opposite(SurfaceProfile profile, std::size_t region) {
+/// A round profile cut open opposite to a cell, so that the place around the cell is whole.
+SurfaceProfile cut_opposite(SurfaceProfile profile, std::size_t cell) {
   const std::size_t n = profile.depth->size();
   if (!(profile.radius > 0.0) || n == 0) return profile;
   constexpr double kTurn = 2.0 * std::numbers::pi;
   std::vector<double> position;
   std::vector<double> depth;
-  // From half a turn before the region; angles near it stay within a turn of zero.
+  // From half a turn before the cell; angles near it stay within a turn of zero.
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t k = (region + n - n / 2 + i) % n;
-    const double turns = std::floor(static_cast<double>(region + n - n / 2 + i) / static_cast<double>(n)) - 1.0;
+    const std::size_t k = (cell + n - n / 2 + i) % n;
+    const double turns = std::floor(static_cast<double>(cell + n - n / 2 + i) / static_cast<double>(n)) - 1.0;
     position.push_back((*profile.position)[k] + kTurn * turns);
     depth.push_back((*profile.depth)[k]);
   }
@@ -99,18 +99,18 @@ SurfaceProfile cut_opposite(SurfaceProfile profile, std::size_t region) {
   return profile;
 }
 
-/// The region opposite to the middle of the longest part where none of the profiles, of equal length, is worn.
+/// The cell opposite to the middle of the longest part where none of the profiles, of equal length, is worn.
 std::size_t find_middle_of_wear(std::span<const SurfaceProfile> profiles) {
   const std::size_t n = profiles.front().depth->size();
-  const auto is_worn = [&](std::size_t region) {
+  const auto is_worn = [&](std::size_t cell) {
     return std::ranges::any_of(profiles, [&](const SurfaceProfile& profile) {
-      return profile.depth->size() == n && (*profile.depth)[region % n] > 0.0;
+      return profile.depth->size() == n && (*profile.depth)[cell % n] > 0.0;
     });
   };
   std::size_t longest = 0;
   std::size_t middle = 0;
   std::size_t length = 0;
-  for (std::size_t k = 0; k < 2 * n; ++k) {  // twice around: a part may pass the first region
+  for (std::size_t k = 0; k < 2 * n; ++k) {  // twice around: a part may pass the first cell
     length = is_worn(k) ? 0 : std::min(length + 1, n);
     if (length <= longest) continue;
     longest = length;
@@ -125,7 +125,7 @@ void enlarge(Figure& figure, std::span<const SurfaceProfile> profiles) {
   figure.x_end = -figure.x_begin;
   for (const SurfaceProfile& profile : profiles) {
     if (!(find_greatest(profile.depth) > 0.0)) continue;
-    const double center = (*profile.position)[find_deepest_region(profile)];
+    const double center = (*profile.position)[find_deepest_cell(profile)];
     const double length = profile.position->back() - profile.position->front();
     const double half = profile.radius > 0.0 ? kEnlargedHalfWidth : 0.25 * length;
     figure.x_begin = std::min(figure.x_begin, std::max(profile.position->front(), center - half));
@@ -167,7 +167,7 @@ Figure make_unrolled_figure(std::span<const WornSurfaces> surfaces, bool of_bear
   }
   if (profiles.empty()) return figure;
   const std::size_t n_last = 1 + static_cast<std::size_t>(std::max(0, profiles.back().part));
-  const std::size_t deepest = n_last > 1 ? find_middle_of_wear(profiles) : find_deepest_region(profiles.back());
+  const std::size_t deepest = n_last > 1 ? find_middle_of_wear(profiles) : find_deepest_cell(profiles.back());
   for (std::size_t k = 0; k < profiles.size(); ++k) {
     profiles[k] = cut_opposite(std::move(profiles[k]), deepest);
     figure.curves.push_back(make_worn_curve(*owners[k], profiles[k], profiles[k].position, place_across(profiles[k])));

@@ -10,7 +10,7 @@
 
 #include "gudgeon/analysis/wear_summary.h"
 #include "gudgeon/report/figures/case_figures.h"
-#include "gudgeon/results/regions.h"
+#include "gudgeon/results/cells.h"
 
 namespace gudgeon {
 
@@ -29,7 +29,7 @@ std::vector<double> add_depths(std::vector<double> worn, const std::vector<doubl
 SurfaceProfile make_round(const char* name, double radius, double outwards, std::span<const double> depth) {
   SurfaceProfile profile{name, std::string("Angle in the ") + name, "rad", radius, -1, outwards, nullptr, nullptr};
   std::vector<double> angles;
-  for (std::size_t k = 0; k < depth.size(); ++k) angles.push_back(find_region_angle(k, depth.size()));
+  for (std::size_t k = 0; k < depth.size(); ++k) angles.push_back(find_cell_angle(k, depth.size()));
   profile.position = make_numbers(std::move(angles));
   profile.depth = make_numbers({depth.begin(), depth.end()});
   return profile;
@@ -39,7 +39,7 @@ SurfaceProfile make_round(const char* name, double radius, double outwards, std:
 SurfaceProfile make_side(const char* name, int part, double length, std::span<const double> depth) {
   SurfaceProfile profile{name, "Place along the slot", "m", 0.0, part, 1.0, nullptr, nullptr};
   std::vector<double> places;
-  for (std::size_t k = 0; k < depth.size(); ++k) places.push_back(find_region_position(k, depth.size(), length));
+  for (std::size_t k = 0; k < depth.size(); ++k) places.push_back(find_cell_position(k, depth.size(), length));
   profile.position = make_numbers(std::move(places));
   profile.depth = make_numbers({depth.begin(), depth.end()});
   return profile;
@@ -76,7 +76,7 @@ std::vector<SurfaceProfile> split_bearing(const JointWear& wear, const std::vect
 std::vector<SurfaceProfile> split_journal(const JointWear& wear, const std::vector<double>& depth) {
   static constexpr std::array kCorners{"left rear corner", "left front corner", "right rear corner",
                                        "right front corner"};
-  const std::size_t n = wear.slot_length > 0.0 ? wear.n_regions() : depth.size();
+  const std::size_t n = wear.slot_length > 0.0 ? wear.n_cells() : depth.size();
   if (n == 0 || depth.size() != n * kCorners.size()) {
     return {make_round("journal", wear.journal_radius, -1.0, depth)};
   }

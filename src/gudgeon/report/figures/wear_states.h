@@ -16,7 +16,7 @@ namespace gudgeon {
 struct WearState {
   std::string name;                   ///< "first wear"
   std::string stage;                  ///< the stage that ran on them, or after which they are
-  std::vector<double> bearing_depth;  ///< [m] a region
+  std::vector<double> bearing_depth;  ///< [m] a cell
   std::vector<double> journal_depth;  ///< [m]
   std::vector<double> total_depth;    ///< [m] both together, over the bearing's surface
 };

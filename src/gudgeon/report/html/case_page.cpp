@@ -73,7 +73,8 @@ std::string render_article(const ReportCase& one, const std::vector<Figure>& fig
   }
   html += make_section(name, "simulated", {"What was simulated", "Simulated"},
                        render_simulated(one) + render_reduction(run, detail, !figures.empty()));
-  html += make_section(name, "published", {"Beside the published values", "Published"}, render_published_values(one));
+  html +=
+      make_section(name, "reference", {"Comparison with reference values", "Reference"}, render_reference_values(one));
   html += make_section(name, "wear", {"Wear", "Wear"}, render_wear_table(run) + place("wear"));
   html += make_section(name, "motion", {"Motion", "Motion"}, render_ideal_table(run) + place("motion"));
   html += make_section(name, "forces", {"Drivers and contact forces", "Forces"},

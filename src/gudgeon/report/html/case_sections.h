@@ -16,7 +16,7 @@ std::string make_figure_place(std::string_view case_name, std::string_view topic
 
 std::string render_simulated(const ReportCase& one);
 std::string render_warnings(const ReportCase& one);
-std::string render_published_values(const ReportCase& one);
+std::string render_reference_values(const ReportCase& one);
 std::string render_peak_table(const RunRecord& run);
 std::string render_ideal_table(const RunRecord& run);
 std::string render_wear_table(const RunRecord& run);

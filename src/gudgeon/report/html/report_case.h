@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "gudgeon/analysis/published.h"
+#include "gudgeon/analysis/reference_values.h"
 #include "gudgeon/report/html/scene.h"
 #include "gudgeon/results/function_samples.h"
 #include "gudgeon/results/run_record.h"
@@ -41,7 +41,7 @@ struct ReportCase {
   std::vector<NamedText> case_settings;  ///< values that the case replaces
   std::optional<Scene> scene;
   std::vector<FunctionSamples> functions;  ///< formulas and curves that loads and drivers were given
-  std::vector<PublishedRow> published;
+  std::vector<ReferenceRow> reference;
   std::vector<StatedValue> stated;
   std::vector<StatusMeaning> statuses;
   std::string trouble;  ///< why the model in the file could not be used; empty when it could

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What was simulated, on which assumptions, beside which published values, and how to do it again.
+// What was simulated, on which assumptions, beside which reference values, and how to do it again.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -106,29 +106,29 @@ std::string render_warnings(const ReportCase& one) {
   return html;
 }
 
-std::string render_published_values(const ReportCase& one) {
+std::string render_reference_values(const ReportCase& one) {
   std::size_t n_values = 0;
-  std::vector<PublishedComparison> comparisons;
-  for (const PublishedRow& row : one.published) {
-    comparisons.push_back(compare_published(one.run, row));
+  std::vector<ReferenceComparison> comparisons;
+  for (const ReferenceRow& row : one.reference) {
+    comparisons.push_back(compare_with_reference(one.run, row));
     n_values = std::max(n_values, comparisons.back().ours.size());
   }
-  HtmlTable table("Ours beside the published values", {"quantity", "stage", "published", "ours", "ratio"}, 2);
-  for (const PublishedComparison& c : comparisons) {
+  HtmlTable table("Ours beside the reference values", {"quantity", "stage", "reference", "ours", "ratio"}, 2);
+  for (const ReferenceComparison& c : comparisons) {
     for (std::size_t k = 0; k < c.ours.size(); ++k) {
-      if (std::isnan(c.published.values[k])) continue;
-      table.add_row({c.published.quantity, label_stage(c.stages[k]),
-                     format_engineering(c.published.values[k], c.published.unit),
-                     format_engineering(c.ours[k], c.published.unit),
+      if (std::isnan(c.reference.values[k])) continue;
+      table.add_row({c.reference.quantity, label_stage(c.stages[k]),
+                     format_engineering(c.reference.values[k], c.reference.unit),
+                     format_engineering(c.ours[k], c.reference.unit),
                      std::isnan(c.ratio[k]) ? std::string(kNoNumber) : fmt::format("{:.2f}", c.ratio[k])});
     }
   }
   if (table.empty()) return {};
-  const char* changed = one.run.overrides.empty() ? "" : " This run was changed by --set; published values are not.";
+  const char* changed = one.run.overrides.empty() ? "" : " This run was changed by --set; reference values are not.";
   return table.render() +
          make_paragraph(
              fmt::format("Impacts between journal and bearing are chaotic: a peak agrees in magnitude, not in sign or "
-                         "time. Ratios are of magnitudes, ours over published.{}",
+                         "time. Ratios are of magnitudes, ours over reference.{}",
                          changed),
              "note");
 }

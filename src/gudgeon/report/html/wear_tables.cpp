@@ -41,7 +41,7 @@ void add_stage_row(HtmlTable& table, const RunRecord& run, std::string name, Pri
 
 std::string render_wear_table(const RunRecord& run) {
   HtmlTable table(
-      "What each stage wears away, magnified",
+      "What each stage wears away, times the wear acceleration",
       {"joint", "stage", "deepest so far", "at", "bearing", "journal", "deepest added", "removed", "k F s", "worn at"},
       2);
   std::string notes;

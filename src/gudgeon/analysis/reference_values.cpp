@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Looks up our value for each published one.
-#include "gudgeon/analysis/published.h"
+// Looks up our value for each reference value.
+#include "gudgeon/analysis/reference_values.h"
 
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ double find_wear_depth(const RunRecord& run, std::size_t n_updates, const std::s
   return find_deepest(find_accumulated_depth(run, index, joint)).depth;
 }
 
-std::string find_unit(const RunRecord& run, const PublishedRow& row) {
+std::string find_unit(const RunRecord& run, const ReferenceRow& row) {
   if (!row.unit.empty()) return row.unit;
   if (row.measure == "wear_depth") return "m";
   for (const StageRecord& stage : run.stages) {
@@ -51,14 +51,14 @@ std::string name_worn_stage(std::size_t n_updates) {
   return n_updates == 0 ? "no_wear" : fmt::format("wear_{}", n_updates);
 }
 
-PublishedComparison compare_published(const RunRecord& run, const PublishedRow& row) {
+ReferenceComparison compare_with_reference(const RunRecord& run, const ReferenceRow& row) {
   const bool depth = row.measure == "wear_depth";
   if (!depth && row.measure != "peak") {
-    throw NumericalError(
-        fmt::format("published '{}': measure '{}' is not known; use peak or wear_depth", row.quantity, row.measure));
+    throw NumericalError(fmt::format("reference value '{}': measure '{}' is not known; use peak or wear_depth",
+                                     row.quantity, row.measure));
   }
-  PublishedComparison comparison{row, {}, {}, {}};
-  comparison.published.unit = find_unit(run, row);
+  ReferenceComparison comparison{row, {}, {}, {}};
+  comparison.reference.unit = find_unit(run, row);
   for (std::size_t k = 0; k < row.values.size(); ++k) {
     const double ours = depth ? find_wear_depth(run, k, row.channel) : find_peak(run, k, row.channel);
     const double theirs = row.values[k];
