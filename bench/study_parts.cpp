@@ -259,7 +259,7 @@ void measure_bristles(int cycles) {
     const StageRecord stage = run_stage(variants[k].at);
     write_row("bristles_evaluations", name, static_cast<double>(stage.solver.evaluations), "1");
     write_row("bristles_onsets", name, static_cast<double>(stage.solver.onsets), "1");
-    write_row("bristles_energy_residual", name, stage.ledger.residual(), "J");
+    write_row("bristles_energy_residual", name, stage.energy.residual(), "J");
   }
 }
 

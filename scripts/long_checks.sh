@@ -44,7 +44,7 @@ nine_bar_life() {
   local code=$?
   [ $code -eq 0 ] || [ $code -eq 6 ] || { cat "$runs/summary"; return 1; }
   [ "$(grep -cE '^ +(no_wear|wear_1) +finished +10 ?000 ' "$runs/summary")" -eq 2 ] || { cat "$runs/summary"; return 1; }
-  grep -E '^ +(wear_1 +finished|residual|adds up) ' "$runs/summary" | tr -s ' ' | paste -sd ';'
+  grep -E '^ +(wear_1 +finished|residual|balanced) ' "$runs/summary" | tr -s ' ' | paste -sd ';'
 }
 
 nine_bar_life_1e-4() { nine_bar_life 1e-4; }

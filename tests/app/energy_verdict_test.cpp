@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Stiff steps are not held to the ledger: at 1e-2 they miss a hundred times more than is allowed.
+// Stiff steps are not held to the energy balance: at 1e-2 they miss a hundred times more than is allowed.
 constexpr const char* kSwing = R"toml(
 name = "swing"
 gravity = [0, "-9.81 m/s^2"]
@@ -37,13 +37,13 @@ set = { "study.relative_tolerance" = 1e-6, "study.integrator" = "automatic" }
 set = { "loads.push.constants.limit" = 0.5 }
 )toml";
 
-TEST(EnergyVerdict, ALedgerThatDoesNotCloseEndsWith6AndIsShownEverywhere) {
+TEST(EnergyVerdict, AnEnergyBalanceThatDoesNotCloseEndsWith6AndIsShownEverywhere) {
   const TemporaryFolder folder;
   folder.write("swing.toml", kSwing);
   const Outcome first = run_program(folder, {"run", "swing.toml", "-o", "out", "--report"});
   EXPECT_EQ(first.exit_code, 6) << first.err;
   EXPECT_THAT(first.out, HasSubstr("NO\n"));
-  EXPECT_THAT(first.err, HasSubstr("E-NUM-020: its energy does not add up"));
+  EXPECT_THAT(first.err, HasSubstr("E-NUM-020: its energy balance does not close"));
   EXPECT_THAT(first.err, HasSubstr("study.relative_tolerance"));
   EXPECT_THAT(first.err, Not(HasSubstr("what was finished is kept"))) << "all of it is";
   EXPECT_THAT(read_text(folder.path() / "out" / "report.html"), HasSubstr("E-NUM-020"));
@@ -82,7 +82,7 @@ TEST(EnergyVerdict, OneCaseOfSeveralIsEnough) {
 TEST(EnergyVerdict, TheExitCodeSaysWhatTheSummarySays) {
   const TemporaryFolder folder;
   for (const char* tolerance : {"1e-3", "1e-6"}) {
-    const Outcome outcome = run_program(folder, {"run", find_case("ledger_loose_tolerance"), "--overwrite", "--set",
+    const Outcome outcome = run_program(folder, {"run", find_case("energy_loose_tolerance"), "--overwrite", "--set",
                                                  std::string("study.relative_tolerance=") + tolerance});
     const bool adds_up = outcome.out.find("NO\n") == std::string::npos;
     EXPECT_EQ(outcome.exit_code, adds_up ? 0 : 6) << outcome.err;
@@ -92,15 +92,15 @@ TEST(EnergyVerdict, TheExitCodeSaysWhatTheSummarySays) {
 // 2 nJ beside 89 mJ of kinetic energy.
 TEST(EnergyVerdict, IsNotSaidWhereNextToNothingIsExchanged) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_program(folder, {"run", find_case("ledger_nothing_exchanged")});
+  const Outcome outcome = run_program(folder, {"run", find_case("energy_nothing_exchanged")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("adds up"));
+  EXPECT_THAT(outcome.out, HasSubstr("balanced"));
   EXPECT_THAT(outcome.out, Not(HasSubstr("NO\n")));
 }
 
 TEST(EnergyVerdict, IsInTheHelp) {
   const TemporaryFolder folder;
-  EXPECT_THAT(run_program(folder, {"--help"}).out, HasSubstr("6 finished but an energy does not add up"));
+  EXPECT_THAT(run_program(folder, {"--help"}).out, HasSubstr("6 finished, but an energy balance does not close"));
 }
 
 }  // namespace

@@ -260,7 +260,7 @@ TEST(Damage, ImpossibleValuesAreRefusedByName) {
               HasSubstr("'time' of sample 7 is nan"));
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.time[7] = -3.0; }),
               HasSubstr("'time' of sample 7 is -3, which cannot follow 0.06"));
-  EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.ledger.friction = nan; }),
+  EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.energy.friction = nan; }),
               HasSubstr("'friction' is nan"));
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.solver.onsets = -2; }), HasSubstr("'onsets' is -2"));
   EXPECT_THAT(read_impossible([&](StageRecord& stage) { stage.wear[0].bearing_radius = 0.0; }),

@@ -77,7 +77,7 @@ TEST(Examples, NineBarSpeedsComeWithTheSmallClearance) {
   EXPECT_EQ(model.study.reference.size(), 2U);
 }
 
-// In seconds: both sides of the slot touched and worn, the ledger closed, and the ideal mechanism near.
+// In seconds: both sides of the slot touched and worn, the energy balance closed, and the ideal mechanism near.
 TEST(Examples, SlotsRun) {
   for (const auto& [file, joint, surfaces, slider] : {std::tuple{"slider_crank_guide.toml", "guide", 4U, "slider.x"},
                                                       std::tuple{"scotch_yoke.toml", "pin", 1U, "yoke.x"}}) {
@@ -86,7 +86,7 @@ TEST(Examples, SlotsRun) {
     ASSERT_EQ(stages.size(), 3U) << file;
     for (const StageRecord& stage : stages) {
       ASSERT_EQ(stage.status, StageStatus::finished) << file << ": " << stage.message;
-      EXPECT_NEAR(stage.ledger.residual() / stage.ledger.exchanged, 0.0, 1e-6) << file;
+      EXPECT_NEAR(stage.energy.residual() / stage.energy.exchanged, 0.0, 1e-6) << file;
     }
     const StageRecord& stage = stages[1];
     for (const char* side : {".left_force", ".right_force"}) {

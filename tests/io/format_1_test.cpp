@@ -39,8 +39,8 @@ TEST(FormatOne, IsReadWhole) {
   EXPECT_EQ(worn.wear[0].bearing_depth.size(), 16u);
   EXPECT_NEAR(worn.wear[0].archard_volume, 0.03204e-9, 1e-14);
   EXPECT_EQ(worn.events.size(), 10u);
-  EXPECT_NEAR(worn.ledger.exchanged, 1.196, 5e-4);
-  EXPECT_NEAR(worn.ledger.residual(), -413.0e-9, 1e-10);
+  EXPECT_NEAR(worn.energy.exchanged, 1.196, 5e-4);
+  EXPECT_NEAR(worn.energy.residual(), -413.0e-9, 1e-10);
 }
 
 TEST(FormatOne, IsWrittenAnewWhenARunGoesOn) {

@@ -35,7 +35,7 @@ using test::ScratchDirectory;
 using test::write_run;
 using testing::HasSubstr;
 
-std::array<double, 13> list_energy(const EnergyLedger& l) {
+std::array<double, 13> list_energy(const EnergyBalance& l) {
   return {l.initial_energy,  l.kinetic,  l.potential,    l.elastic,   l.driver_work, l.load_work, l.damper_loss,
           l.contact_damping, l.friction, l.surface_work, l.exchanged, l.load_reach,  l.residual()};
 }
@@ -93,7 +93,7 @@ void expect_same_outline(const StageRecord& a, const StageRecord& b) {
   }
   ASSERT_EQ(a.wear.size(), b.wear.size());
   for (std::size_t k = 0; k < a.wear.size(); ++k) expect_same_wear(a.wear[k], b.wear[k]);
-  EXPECT_TRUE(have_same_bits(list_energy(a.ledger), list_energy(b.ledger)));
+  EXPECT_TRUE(have_same_bits(list_energy(a.energy), list_energy(b.energy)));
   EXPECT_TRUE(have_same_bits(list_solver(a.solver), list_solver(b.solver)));
 }
 

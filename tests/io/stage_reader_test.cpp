@@ -109,10 +109,10 @@ TEST(StageReader, TakesFilesOfBeforeLoadsDidWork) {
       }
     }
   });
-  const EnergyLedger ledger = read_run(scratch / "x.h5").stages[0].ledger;
-  EXPECT_EQ(ledger.driver_work, 2.5);
-  EXPECT_EQ(ledger.load_work, 0.0);
-  EXPECT_EQ(ledger.damper_loss, 0.0);
+  const EnergyBalance balance = read_run(scratch / "x.h5").stages[0].energy;
+  EXPECT_EQ(balance.driver_work, 2.5);
+  EXPECT_EQ(balance.load_work, 0.0);
+  EXPECT_EQ(balance.damper_loss, 0.0);
 }
 
 /// What reading says when the piece with that complaint is written otherwise.

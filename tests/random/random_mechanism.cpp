@@ -48,7 +48,8 @@ Study make_study(Family family) {
   study.compare_ideal = false;
   study.wear_stages = family == Family::clearances ? 1 : 0;
   study.wear_acceleration = 10.0;
-  // Impacts of a tenth of a second exchange so little that at the default tolerance some ledgers miss their bound.
+  // Impacts of a tenth of a second exchange so little that at the default tolerance some energy balances miss their
+  // bound.
   study.relative_tolerance = family == Family::clearances ? 1e-8 : 1e-9;
   study.absolute_tolerance = family == Family::clearances ? 1e-11 : 1e-12;
   return study;

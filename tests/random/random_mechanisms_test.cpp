@@ -140,7 +140,7 @@ bool check_run(const RandomModel& model) {
       fmt::print("{} stops: {}\n", model.mechanism.name, stage.message);
       return false;
     }
-    // Impacts of a tenth of a second exchange little: a ledger that misses its bound is told, as a stop is.
+    // Impacts of a tenth of a second exchange little: an energy balance that misses its bound is told, as a stop is.
     if (!stage.wear.empty() && is_unbalanced(stage)) {
       fmt::print("{}: {}\n", model.mechanism.name, explain_imbalance(stage));
       return false;

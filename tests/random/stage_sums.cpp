@@ -60,7 +60,7 @@ void expect_works_of_curves(const RandomModel& model, const StageRecord& stage) 
     const double to = find_place(motion, load, motion.n_samples() - 1);
     work += oracle::TextbookCurve::of_load(load.curve).integrate(from, to);
   }
-  EXPECT_NEAR(stage.ledger.load_work, work, kTolerance * stage.ledger.exchanged + 1e-12 * stage.ledger.load_reach);
+  EXPECT_NEAR(stage.energy.load_work, work, kTolerance * stage.energy.exchanged + 1e-12 * stage.energy.load_reach);
 }
 
 void expect_volumes(const RandomModel& model, const StageRecord& stage) {
@@ -80,7 +80,7 @@ void expect_volumes(const RandomModel& model, const StageRecord& stage) {
     (line.by_friction ? by_friction : at_most) += line.by_friction ? sum : sum * line.friction_coefficient;
   }
   if (any_unworn) return;
-  const double friction = stage.ledger.friction;
+  const double friction = stage.energy.friction;
   if (by_friction > 0.0) {
     EXPECT_NEAR(by_friction, friction, kWearTolerance * friction);
   }

@@ -62,12 +62,12 @@ TEST(ReportPage, WarnsOfAStageThatDoesNotAddUp) {
   ReportCase one = make_long_case(0, 4);
   page.add_case(one);
   one.run.case_name = "off";
-  one.run.stages[1].ledger.friction += 1.0;
+  one.run.stages[1].energy.friction += 1.0;
   page.add_case(one);
   const std::string html = page.render();
   EXPECT_EQ(count(html, "E-NUM-020"), 1U);
-  EXPECT_THAT(html, HasSubstr("Stage “no wear”: E-NUM-020: its energy does not add up"));
-  EXPECT_EQ(count(html, "finished, energy does not add up"), 1U);
+  EXPECT_THAT(html, HasSubstr("Stage “no wear”: E-NUM-020: its energy balance does not close"));
+  EXPECT_EQ(count(html, "finished, energy balance does not close"), 1U);
 }
 
 TEST(ReportPage, SaysWhatOfALongRunIsReduced) {

@@ -45,19 +45,19 @@ TEST(RunSummary, HasEverySection) {
   EXPECT_THAT(text, ContainsRegex("energy exchanged +23.25 J"));
   EXPECT_THAT(text, ContainsRegex("scale: exchanged and held +23.55 J"));
   EXPECT_THAT(text, ContainsRegex("residual / scale +0.0e.00"));
-  EXPECT_THAT(text, ContainsRegex("adds up +yes +yes +yes"));
+  EXPECT_THAT(text, ContainsRegex("balanced +yes +yes +yes"));
   EXPECT_THAT(text, HasSubstr("What differs by nature"));
 }
 
 TEST(RunSummary, TellsAStageThatDoesNotAddUp) {
   RunRecord run = test::make_run();
   EXPECT_THAT(render_info(run, false), Not(HasSubstr("E-NUM-020")));
-  run.stages[1].ledger.friction += 1.0;
+  run.stages[1].energy.friction += 1.0;
   const std::string summary = render_summary(run, kReference, false);
-  EXPECT_THAT(summary, HasSubstr("no_wear: E-NUM-020: its energy does not add up"));
-  EXPECT_THAT(summary, ContainsRegex("adds up +yes +NO +yes"));
+  EXPECT_THAT(summary, HasSubstr("no_wear: E-NUM-020: its energy balance does not close"));
+  EXPECT_THAT(summary, ContainsRegex("balanced +yes +NO +yes"));
   const std::string info = render_info(run, false);
-  EXPECT_THAT(info, HasSubstr("no_wear: E-NUM-020: its energy does not add up"));
+  EXPECT_THAT(info, HasSubstr("no_wear: E-NUM-020: its energy balance does not close"));
   EXPECT_THAT(info, ContainsRegex("no_wear [^\n]* NO +A"));
   EXPECT_THAT(info, ContainsRegex("wear_1 [^\n]* yes +A"));
 }

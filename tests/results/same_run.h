@@ -69,7 +69,7 @@ class RunBytes {
     for (const ContactEvent& e : stage.events) {
       add_numbers(e.joint, e.onset_time, e.duration, e.onset_speed, e.angle, e.peak_force, e.position, e.contact);
     }
-    const EnergyLedger& l = stage.ledger;
+    const EnergyBalance& l = stage.energy;
     add_numbers(l.initial_energy, l.kinetic, l.potential, l.elastic, l.driver_work, l.load_work, l.damper_loss,
                 l.contact_damping, l.friction, l.surface_work, l.exchanged, l.load_reach);
     const SolverStatistics& s = stage.solver;

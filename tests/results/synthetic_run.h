@@ -81,7 +81,7 @@ inline StageRecord make_stage(const std::string& name) {
   stage.end_time = 2.0;
   stage.cycle_time = 1.0;
   stage.cycles = 2;
-  stage.ledger = {1.0, 1.5, 0.25, 0.0, 12.0, -2.5, 1.75, 5.0, 2.0, 0.0, 23.25};
+  stage.energy = {1.0, 1.5, 0.25, 0.0, 12.0, -2.5, 1.75, 5.0, 2.0, 0.0, 23.25};
   stage.solver = {1234567, 200000, 345, 3, 3, 200000, 1e-9, 1e-3, 1e-15, 2.5};
   return stage;
 }

@@ -88,7 +88,7 @@ double find_exact_loss() {
   return sum * (kEnd - touch) / kPoints;
 }
 
-EnergyLedger find_ledger(const Mechanism& mechanism, double tolerance) {
+EnergyBalance find_balance(const Mechanism& mechanism, double tolerance) {
   Study study;
   study.cycle_time = kEnd;
   study.cycles = 1;
@@ -97,22 +97,22 @@ EnergyLedger find_ledger(const Mechanism& mechanism, double tolerance) {
   study.absolute_tolerance = 1e-3 * tolerance;
   const auto stages = run_study(mechanism, study, {});
   EXPECT_EQ(stages.at(0).status, StageStatus::finished) << stages.at(0).message;
-  return stages.at(0).ledger;
+  return stages.at(0).energy;
 }
 
-TEST(ContactLosses, OfSurfacesThatPartFasterThanTheyPressAreSeenByTheLedger) {
+TEST(ContactLosses, OfSurfacesThatPartFasterThanTheyPressAreSeenByTheEnergyBalance) {
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-9, 1e-10}) {
-    const EnergyLedger ledger = find_ledger(make_pushed_ball(true), tolerance);
-    EXPECT_TRUE(check_energy(ledger).closed) << tolerance << ": " << check_energy(ledger).relative;
-    EXPECT_NEAR(ledger.contact_damping, find_exact_loss(), 2e-3 * find_exact_loss());
+    const EnergyBalance balance = find_balance(make_pushed_ball(true), tolerance);
+    EXPECT_TRUE(check_energy(balance).balanced) << tolerance << ": " << check_energy(balance).relative;
+    EXPECT_NEAR(balance.contact_damping, find_exact_loss(), 2e-3 * find_exact_loss());
   }
 }
 
 TEST(ContactLosses, KeepTheToleranceWhereAllIsDriven) {
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
-    const EnergyLedger ledger = find_ledger(make_pushed_ball(false), tolerance);
-    EXPECT_TRUE(check_energy(ledger).closed) << tolerance << ": " << check_energy(ledger).relative;
-    EXPECT_NEAR(ledger.contact_damping, find_exact_loss(), (1e-8 + 10.0 * tolerance) * find_exact_loss()) << tolerance;
+    const EnergyBalance balance = find_balance(make_pushed_ball(false), tolerance);
+    EXPECT_TRUE(check_energy(balance).balanced) << tolerance << ": " << check_energy(balance).relative;
+    EXPECT_NEAR(balance.contact_damping, find_exact_loss(), (1e-8 + 10.0 * tolerance) * find_exact_loss()) << tolerance;
   }
 }
 

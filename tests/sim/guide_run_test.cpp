@@ -134,7 +134,7 @@ TEST(GuideRun, EveryStageRunsOnWhatTheOneBeforeLeft) {
   }
 }
 
-// Each corner has a bristle of its own; both integrators, stiff and explicit, keep the ledger.
+// Each corner has a bristle of its own; both integrators, stiff and explicit, keep the energy balance.
 // Cells far finer than a contact show the steps that wear was laid down in, unless their waves are left out: a stage on
 // such surfaces then takes several times the evaluations.
 TEST(GuideRun, FineCellsTakeNoMoreEvaluations) {
@@ -149,7 +149,7 @@ TEST(GuideRun, FineCellsTakeNoMoreEvaluations) {
   EXPECT_LT(count(100000), 1.3 * count(1000));
 }
 
-TEST(GuideRun, BristlesOfCornersKeepTheLedger) {
+TEST(GuideRun, BristlesOfCornersKeepTheEnergyBalance) {
   Mechanism mechanism = make_loose_slider();
   Lugre friction;
   friction.static_coefficient = 0.15;
@@ -164,8 +164,8 @@ TEST(GuideRun, BristlesOfCornersKeepTheLedger) {
     const StageRecord stage = run_study(mechanism, study).at(0);
     ASSERT_EQ(stage.status, StageStatus::finished) << stage.message;
     EXPECT_GE(stage.solver.onsets, 4);
-    EXPECT_GT(stage.ledger.friction, 0.0);
-    EXPECT_NEAR(stage.ledger.residual() / stage.ledger.exchanged, 0.0, 1e-6);
+    EXPECT_GT(stage.energy.friction, 0.0);
+    EXPECT_NEAR(stage.energy.residual() / stage.energy.exchanged, 0.0, 1e-6);
     EXPECT_NE(find_values(stage, "guide.bristle"), nullptr);
   }
 }

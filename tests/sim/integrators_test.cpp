@@ -74,7 +74,7 @@ Mechanism make_bristled_press(double bristle_damping) {
 TEST(Integrators, StiffGoesThroughImpactsOfBristles) {
   const StageRecord stiff = run_for(make_bristled_press(316.0), 0.1, Integrator::stiff);
   EXPECT_GT(stiff.solver.onsets, 20);
-  EXPECT_LT(std::abs(stiff.ledger.residual()), 1e-8 * stiff.ledger.exchanged);
+  EXPECT_LT(std::abs(stiff.energy.residual()), 1e-8 * stiff.energy.exchanged);
 }
 
 TEST(Integrators, AllAgreeOnBristles) {
@@ -108,11 +108,11 @@ TEST(Integrators, AutomaticFollowsStickingJournalsWithFewerEvaluations) {
   EXPECT_LT(automatic.solver.evaluations, 0.9 * static_cast<double>(with_explicit.solver.evaluations));
 }
 
-TEST(Integrators, StiffKeepsTheLedgerAsWellAsTheExplicitPair) {
+TEST(Integrators, StiffKeepsTheEnergyBalanceAsWellAsTheExplicitPair) {
   const Mechanism press = oracle::make_nine_bar();
   const auto residual = [&](Integrator integrator) {
-    const EnergyLedger ledger = run_for(press, 0.2, integrator).ledger;
-    return std::abs(ledger.residual()) / ledger.exchanged;
+    const EnergyBalance balance = run_for(press, 0.2, integrator).energy;
+    return std::abs(balance.residual()) / balance.exchanged;
   };
   // Both are chance sums of local errors at a tolerance of 1e-9.
   EXPECT_LT(residual(Integrator::explicit_pair), 5e-9);
@@ -139,10 +139,10 @@ TEST(Bristles, BendWithinTheirLimitInContactOnly) {
   EXPECT_LE(largest, 0.15 / 1e5 * (1 + 1e-6));  // static friction's deflection, and the integrator's tolerance
 }
 
-TEST(Bristles, KeepTheLedger) {
-  const EnergyLedger ledger = run_for(make_bristled(), 24e-3, Integrator::explicit_pair).ledger;
-  EXPECT_GT(ledger.friction, 0.0);
-  EXPECT_LT(std::abs(ledger.residual()), 1e-6 * ledger.exchanged);
+TEST(Bristles, KeepTheEnergyBalance) {
+  const EnergyBalance balance = run_for(make_bristled(), 24e-3, Integrator::explicit_pair).energy;
+  EXPECT_GT(balance.friction, 0.0);
+  EXPECT_LT(std::abs(balance.residual()), 1e-6 * balance.exchanged);
 }
 
 }  // namespace

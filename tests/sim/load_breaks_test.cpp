@@ -69,13 +69,13 @@ TEST(LoadBreaks, ShortZoneTakesItsWork) {
   EXPECT_NEAR(last(run_case("force_zone"), "block.x_velocity"), std::sqrt(1.0 - 2.0 * 200.0 * 0.003 / 2.0), 1e-8);
 }
 
-TEST(LoadBreaks, EveryCutOfAPressTakesItsWork) { EXPECT_NEAR(run_case("press_cut").ledger.load_work, -180.0, 1e-5); }
+TEST(LoadBreaks, EveryCutOfAPressTakesItsWork) { EXPECT_NEAR(run_case("press_cut").energy.load_work, -180.0, 1e-5); }
 
 TEST(LoadBreaks, DryFrictionByFormulaComesToRestAndStays) {
   const StageRecord stage = run_case("dry_friction_formula");
   EXPECT_NEAR(last(stage, "block.x"), 0.2, 1e-8);
   EXPECT_NEAR(last(stage, "block.x_velocity"), 0.0, 1e-12);
-  EXPECT_NEAR(stage.ledger.load_work, -1.0, 1e-8);
+  EXPECT_NEAR(stage.energy.load_work, -1.0, 1e-8);
   EXPECT_LT(stage.solver.accepted_steps, 1000);
 }
 
@@ -83,8 +83,8 @@ TEST(LoadBreaks, AreMetWhereAllIsDriven) {
   const StageRecord stage = run_block(make_force("push", "t > 0.5034 && t < 0.5114 ? 1000 : 0") +
                                       make_force("zone", "block.x > 0.1 && block.x < 0.103 ? -200 : 0") +
                                       "[drivers.motor]\nslide = \"G\"\nspeed = \"1 m/s\"\n");
-  EXPECT_NEAR(stage.ledger.load_work, 1000.0 * 0.008 - 200.0 * 0.003, 1e-8);
-  EXPECT_NEAR(stage.ledger.driver_work, -stage.ledger.load_work, 1e-8);
+  EXPECT_NEAR(stage.energy.load_work, 1000.0 * 0.008 - 200.0 * 0.003, 1e-8);
+  EXPECT_NEAR(stage.energy.driver_work, -stage.energy.load_work, 1e-8);
 }
 
 // √v falls by 1.25 a second; beyond rest the piece of abs that was held has no root.
@@ -102,7 +102,7 @@ TEST(LoadBreaks, AreMetByEitherIntegratorWhereAllIsDriven) {
         read_model_text("block.toml", make_block(make_force("push", "t > 0.5034 && t < 0.5114 ? 1000 : 0") +
                                                  "[drivers.motor]\nslide = \"G\"\nspeed = \"1 m/s\"\n"));
     model.study.integrator = integrator;
-    EXPECT_NEAR(run_model(model).ledger.load_work, 1000.0 * 0.008, 1e-8);
+    EXPECT_NEAR(run_model(model).energy.load_work, 1000.0 * 0.008, 1e-8);
   }
 }
 

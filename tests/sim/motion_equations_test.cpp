@@ -139,25 +139,25 @@ TEST(MotionEquations, PowersBalanceTheChangeOfEnergy) {
   }
 }
 
-// From the bodies' own motion, with the signs of the ledger.
-TEST(MotionEquations, ResidualIsWhatTheLedgerIsOffBy) {
+// From the bodies' own motion, with the signs of the energy balance.
+TEST(MotionEquations, ResidualIsWhatTheEnergyBalanceIsOffBy) {
   for (const Mechanism& mechanism : oracle::make_all_mechanisms()) {
     Evaluated at(mechanism);
     const double energy = at.find_energy();
     EXPECT_NEAR(at.equations.find_energy(), energy, 1e-12 * (1.0 + std::abs(energy))) << mechanism.name;
-    EnergyLedger ledger;
-    ledger.kinetic = energy;
-    ledger.initial_energy = at.equations.initial_energy = 0.25 * energy + 3.0;
+    EnergyBalance balance;
+    balance.kinetic = energy;
+    balance.initial_energy = at.equations.initial_energy = 0.25 * energy + 3.0;
     double* integral = at.y.data() + at.equations.n_states();
-    ledger.driver_work = integral[kDriverWork] = 1.0;
-    ledger.load_work = integral[kLoadWork] = 20.0;
-    ledger.damper_loss = integral[kDamperLoss] = 300.0;
-    ledger.contact_damping = integral[kContactDamping] = 4e3;
-    ledger.friction = integral[kFrictionLoss] = 5e4;
-    ledger.surface_work = integral[kSurfaceWork] = 6e5;
+    balance.driver_work = integral[kDriverWork] = 1.0;
+    balance.load_work = integral[kLoadWork] = 20.0;
+    balance.damper_loss = integral[kDamperLoss] = 300.0;
+    balance.contact_damping = integral[kContactDamping] = 4e3;
+    balance.friction = integral[kFrictionLoss] = 5e4;
+    balance.surface_work = integral[kSurfaceWork] = 6e5;
     integral[kExchanged] = 7e6;
     const double rounding = 1e-12 * (1e6 + std::abs(energy));
-    EXPECT_NEAR(at.equations.find_residual(at.y.data()), ledger.residual(), rounding) << mechanism.name;
+    EXPECT_NEAR(at.equations.find_residual(at.y.data()), balance.residual(), rounding) << mechanism.name;
   }
 }
 

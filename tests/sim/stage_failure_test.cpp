@@ -59,7 +59,7 @@ TEST(StageFailure, ALoopThatCannotCloseFailsAndKeepsTheWayThere) {
     for (const double value : channel) EXPECT_TRUE(std::isfinite(value));
   }
   EXPECT_EQ(stage.statistics.size(), stage.channels.size());
-  EXPECT_TRUE(std::isfinite(stage.ledger.residual()));
+  EXPECT_TRUE(std::isfinite(stage.energy.residual()));
 }
 
 // A crank turns the end of a bar up, whose other end lies in a slot: the bar stands across the slot and is to go on.
@@ -205,7 +205,7 @@ TEST(StageFailure, ContactStillOpenAtTheEndIsKept) {
   EXPECT_NEAR(stage.events[0].onset_time, 0.1, 1e-10);
   EXPECT_NEAR(stage.events[0].duration, 0.005, 1e-10);
   EXPECT_GT(stage.events[0].peak_force, 0.0);
-  EXPECT_GT(stage.ledger.elastic, 0.0);
+  EXPECT_GT(stage.energy.elastic, 0.0);
   EXPECT_NEAR(stage.wear.at(0).contact_time, 0.005, 1e-9);
 }
 

@@ -194,7 +194,7 @@ TEST(StageRecorder, JointForcesHaveTheirMagnitude) {
   }
 }
 
-TEST(StageRecorder, EnergiesAreThoseOfTheLedger) {
+TEST(StageRecorder, EnergiesAreThoseOfTheBalance) {
   Recorded at(oracle::make_slider_crank());
   const auto energies = at.recorder.find_energies(at.equations.workspace);
   double kinetic = 0.0;

@@ -76,10 +76,10 @@ TEST(StageRun, FirstAndLastSampleAreTheEndsOfTheMotion) {
   EXPECT_DOUBLE_EQ(find_values(stage, "crank.angle")->front(), assembly.poses[1].angle);
   EXPECT_DOUBLE_EQ(find_values(stage, "crank.angle_rate")->front(), assembly.poses[1].angle_rate);
   EXPECT_EQ(find_values(stage, "energy.residual")->front(), 0.0);
-  // The ledger is closed at the end: with the accuracy of the run, as projection comes after dense output.
-  const double kinetic = stage.ledger.kinetic;
+  // The energy balance is closed at the end: with the accuracy of the run, as projection comes after dense output.
+  const double kinetic = stage.energy.kinetic;
   EXPECT_NEAR(find_values(stage, "energy.kinetic")->back(), kinetic, 1e-8 * kinetic);
-  EXPECT_NEAR(find_values(stage, "energy.potential")->back(), stage.ledger.potential, 1e-8 * kinetic);
+  EXPECT_NEAR(find_values(stage, "energy.potential")->back(), stage.energy.potential, 1e-8 * kinetic);
 }
 
 TEST(StageRun, SamplesAreTheMotionWhateverItsSteps) {
@@ -114,9 +114,9 @@ TEST(StageRun, WarmUpIsLeftOutOfWearAndContacts) {
   EXPECT_NEAR(a.archard_volume + b.archard_volume, sum.archard_volume, 1e-6 * sum.archard_volume);
   // Twice the momentum along the normal, a bounce: no impulse is missed between.
   EXPECT_GT(a.impulse, 2.0 * 2.0 * 2.0 * static_cast<double>(first.events.size()));
-  // The ledger is that of the whole.
-  EXPECT_NEAR(second.ledger.friction, both.ledger.friction, 1e-6 * both.ledger.friction);
-  EXPECT_LT(first.ledger.friction, both.ledger.friction);
+  // The energy balance is that of the whole.
+  EXPECT_NEAR(second.energy.friction, both.energy.friction, 1e-6 * both.energy.friction);
+  EXPECT_LT(first.energy.friction, both.energy.friction);
 }
 
 TEST(StageRun, WarmUpIsLeftOutOfStatistics) {
@@ -182,7 +182,7 @@ TEST(StageRun, StoppedOnTheWayKeepsWhatItHas) {
         << "same bits as far as they go: " << stage.channels[k].name;
   }
   EXPECT_GT(stage.wear.at(0).impulse, 0.0);
-  EXPECT_LT(std::abs(stage.ledger.residual()), 1e-6 * stage.ledger.initial_energy);
+  EXPECT_LT(std::abs(stage.energy.residual()), 1e-6 * stage.energy.initial_energy);
 }
 
 TEST(StageRun, ProgressGrowsToOne) {

@@ -22,8 +22,8 @@ struct StillStep {
   std::vector<double> y;
   std::vector<double> errors;
   double h = kStep;
-  double ledger_error = 0.0;
-  operator AttemptedStep() const { return {h, y, y, errors, ledger_error}; }
+  double energy_error = 0.0;
+  operator AttemptedStep() const { return {h, y, y, errors, energy_error}; }
 };
 
 StillStep make_step(std::vector<double> y, std::vector<double> errors, double h = kStep) {
@@ -116,40 +116,40 @@ TEST(StepControl, CarriedComponentsHaveNoTolerance) {
 }
 
 // A step whose states are this share of their tolerance off.
-StillStep make_ledger_step(double share, double ledger_error) {
-  return {{0.0, 0.0, 0.0}, {share * 1e-9, share * 1e-9, 0.0}, kStep, ledger_error};
+StillStep make_energy_step(double share, double energy_error) {
+  return {{0.0, 0.0, 0.0}, {share * 1e-9, share * 1e-9, 0.0}, kStep, energy_error};
 }
 
-TEST(StepControl, LedgerRejectsWhatKeepsTheTolerance) {
+TEST(StepControl, EnergyErrorRejectsWhatKeepsTheTolerance) {
   StepControl control = make_control();
-  EXPECT_TRUE(control.accepts(make_ledger_step(0.5, 0.99)));
-  EXPECT_FALSE(control.accepts(make_ledger_step(0.5, 1.01)));
+  EXPECT_TRUE(control.accepts(make_energy_step(0.5, 0.99)));
+  EXPECT_FALSE(control.accepts(make_energy_step(0.5, 1.01)));
   EXPECT_LE(control.next_step(), 0.9 * kStep);
 }
 
-TEST(StepControl, LedgerShortensTheNextStepAsAnErrorOfThatSizeDoes) {
-  StepControl by_ledger = make_control();
+TEST(StepControl, EnergyErrorShortensTheNextStepAsAnErrorOfThatSizeDoes) {
+  StepControl by_energy = make_control();
   StepControl by_error = make_control();
-  ASSERT_TRUE(by_ledger.accepts(make_ledger_step(0.2, 0.8)));
-  ASSERT_TRUE(by_error.accepts(make_ledger_step(0.8, 0.0)));
-  EXPECT_NEAR(by_ledger.next_step(), by_error.next_step(), 1e-12 * kStep);
+  ASSERT_TRUE(by_energy.accepts(make_energy_step(0.2, 0.8)));
+  ASSERT_TRUE(by_error.accepts(make_energy_step(0.8, 0.0)));
+  EXPECT_NEAR(by_energy.next_step(), by_error.next_step(), 1e-12 * kStep);
   StepControl calm = make_control();
-  ASSERT_TRUE(calm.accepts(make_ledger_step(0.8, 0.2)));
+  ASSERT_TRUE(calm.accepts(make_energy_step(0.8, 0.2)));
   EXPECT_NEAR(calm.next_step(), by_error.next_step(), 1e-12 * kStep) << "the larger of both counts";
 }
 
-TEST(StepControl, LedgerAsksForNoMoreThanATenthOfTheTolerance) {
+TEST(StepControl, EnergyErrorAsksForNoMoreThanATenthOfTheTolerance) {
   for (const double beyond : {2.0, 1e6, std::numeric_limits<double>::infinity()}) {
     StepControl control = make_control();
-    EXPECT_TRUE(control.accepts(make_ledger_step(0.099, beyond))) << beyond;
-    EXPECT_FALSE(control.accepts(make_ledger_step(0.501, beyond))) << beyond;
+    EXPECT_TRUE(control.accepts(make_energy_step(0.099, beyond))) << beyond;
+    EXPECT_FALSE(control.accepts(make_energy_step(0.501, beyond))) << beyond;
   }
 }
 
-TEST(StepControl, LedgerCannotPassWhatIsNotFinite) {
-  for (const double ledger_error : {0.0, 1.0, kNotANumber}) {
+TEST(StepControl, EnergyErrorCannotPassWhatIsNotFinite) {
+  for (const double energy_error : {0.0, 1.0, kNotANumber}) {
     StepControl control = make_control();
-    EXPECT_FALSE(control.accepts(make_ledger_step(kNotANumber, ledger_error)));
+    EXPECT_FALSE(control.accepts(make_energy_step(kNotANumber, energy_error)));
     EXPECT_DOUBLE_EQ(control.next_step(), 0.2 * kStep);
   }
 }

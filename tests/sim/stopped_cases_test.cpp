@@ -39,7 +39,7 @@ TEST(StoppedCases, AChangePointIsPassedAtEveryTolerance) {
     const auto stages = run_case("change_point_tight", {{"study.relative_tolerance", tolerance}});
     ASSERT_EQ(stages.size(), 1U);
     EXPECT_NEAR(find_values(stages[0], "crank.angle")->back(), kAngle, error) << tolerance;
-    EXPECT_NEAR(stages[0].ledger.residual(), 0.0, 1e-8 * stages[0].ledger.exchanged) << tolerance;
+    EXPECT_NEAR(stages[0].energy.residual(), 0.0, 1e-8 * stages[0].energy.exchanged) << tolerance;
   }
 }
 

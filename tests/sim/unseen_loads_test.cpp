@@ -76,8 +76,8 @@ TEST_P(PulseWidth, TakesItsWorkOverAWay) {
 TEST_P(PulseWidth, IsBorneByADriver) {
   for (const char* argument : {"t", "block.x"}) {
     const StageRecord stage = run_pushed(over(argument, 1.0), kDriven);
-    EXPECT_NEAR(stage.ledger.load_work, kGauss, 5e-6);
-    EXPECT_NEAR(stage.ledger.driver_work, -kGauss, 5e-6);
+    EXPECT_NEAR(stage.energy.load_work, kGauss, 5e-6);
+    EXPECT_NEAR(stage.energy.driver_work, -kGauss, 5e-6);
   }
 }
 

@@ -201,12 +201,12 @@ TEST(Guides, LedgersClose) {
     for (const StageRecord& stage : stages) {
       ASSERT_EQ(stage.status, StageStatus::finished) << run.mechanism.name << ": " << stage.message;
       recorder.verify(fmt::format("{}, {}: residual / exchanged [1]", run.mechanism.name, stage.name), 0.0,
-                      stage.ledger.residual() / stage.ledger.exchanged, 1e-6);
+                      stage.energy.residual() / stage.energy.exchanged, 1e-6);
       EXPECT_GE(stage.solver.onsets, 4) << run.mechanism.name;
-      EXPECT_GT(stage.ledger.contact_damping, 0.0);
-      EXPECT_GT(stage.ledger.friction, 0.0);
+      EXPECT_GT(stage.energy.contact_damping, 0.0);
+      EXPECT_GT(stage.energy.friction, 0.0);
     }
-    EXPECT_NE(stages[1].ledger.surface_work, 0.0) << run.mechanism.name;
+    EXPECT_NE(stages[1].energy.surface_work, 0.0) << run.mechanism.name;
   }
 }
 

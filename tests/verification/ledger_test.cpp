@@ -71,7 +71,7 @@ AnyWear make_real_wear() {
 
 void verify_ledger(book::Recorder& recorder, const std::string& name, const StageRecord& stage,
                    double tolerance = kResidual) {
-  recorder.verify(name + ": |residual| / exchanged [1]", 0.0, check_energy(stage.ledger).relative, tolerance);
+  recorder.verify(name + ": |residual| / exchanged [1]", 0.0, check_energy(stage.energy).relative, tolerance);
 }
 
 TEST(Ledger, WithEveryLawOfNormalForce) {
@@ -80,7 +80,7 @@ TEST(Ledger, WithEveryLawOfNormalForce) {
   for_each_law<AnyNormalForce>([&]<class Law>() {
     const StageRecord stage = run_loose_pin(make_real_law<Law>(), CoulombSmooth{0.1, 1e-2});
     verify_ledger(recorder, std::string(Law::kName), stage);
-    EXPECT_GE(stage.ledger.contact_damping, 0.0) << Law::kName;
+    EXPECT_GE(stage.energy.contact_damping, 0.0) << Law::kName;
   });
 }
 
@@ -101,7 +101,7 @@ TEST(Ledger, WithEveryLawOfFriction) {
     const StageRecord stage = run_loose_pin(LankaraniNikravesh{0.9, 1.5}, make_sample_law<Law>());
     verify_ledger(recorder, std::string(Law::kName), stage);
     if constexpr (!std::same_as<Law, Frictionless>) {
-      EXPECT_GT(stage.ledger.friction, 0.0) << Law::kName;
+      EXPECT_GT(stage.energy.friction, 0.0) << Law::kName;
     }
   });
 }

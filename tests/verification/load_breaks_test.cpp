@@ -32,11 +32,11 @@ TEST(LoadBreaks, GiveTheirMomentumAndWork) {
   recorder.verify("1 kN for 8 ms on 2 kg [m/s]", 4.0, last(run_load_case("short_push"), "block.x_velocity"), 1e-8);
   recorder.verify("behind 3 mm of 200 N [m/s]", std::sqrt(1.0 - 2.0 * 200.0 * 0.003 / 2.0),
                   last(run_load_case("force_zone"), "block.x_velocity"), 1e-8);
-  recorder.verify("three cuts of 3 mm at 20 kN [J]", -180.0, run_load_case("press_cut").ledger.load_work, 1e-5);
+  recorder.verify("three cuts of 3 mm at 20 kN [J]", -180.0, run_load_case("press_cut").energy.load_work, 1e-5);
   const StageRecord rubbed = run_load_case("dry_friction_formula");
   recorder.verify("rest under -5 sign(v) at [m]", 0.2, last(rubbed, "block.x"), 1e-8);
   recorder.verify("and speed there [m/s]", 0.0, last(rubbed, "block.x_velocity"), 1e-12);
-  recorder.verify("punch by points [J]", -118.0, run_load_case("curve_overshoot").ledger.load_work, 1e-6);
+  recorder.verify("punch by points [J]", -118.0, run_load_case("curve_overshoot").energy.load_work, 1e-6);
 }
 
 }  // namespace

@@ -78,9 +78,9 @@ TEST(Loads, MassOnASpringAndDamper) {
   const double error = find_error(stage, "spring.length", [&](double t) { return 0.3 + mode.eval(t); });
   recorder.verify("largest error of the length over 7 s [m]", 0.0, error, kClose);
   recorder.verify("length at 7 s [m]", 0.3 + mode.eval(7.0), find_values(stage, "spring.length")->back(), kClose);
-  const EnergyLedger& ledger = stage.ledger;
-  recorder.verify("energy lost in the damper [J]", ledger.initial_energy - ledger.kinetic - ledger.potential,
-                  ledger.damper_loss, kClose);
+  const EnergyBalance& balance = stage.energy;
+  recorder.verify("energy lost in the damper [J]", balance.initial_energy - balance.kinetic - balance.potential,
+                  balance.damper_loss, kClose);
 }
 
 TEST(Loads, TorsionalPendulum) {
@@ -257,10 +257,10 @@ TEST(Loads, LedgersClose) {
     for (const Mechanism& mechanism : oracle::make_loaded_mechanisms()) {
       // The crank of the one with clearance turns once in 12 ms.
       const bool loose = mechanism.name == "loaded_clearance";
-      const EnergyLedger ledger = run_for(mechanism, loose ? 0.024 : 1.0, 10, tolerance).ledger;
-      recorder.verify(mechanism.name + ": |residual| / exchanged [1]", 0.0, check_energy(ledger).relative, bound);
-      EXPECT_GT(std::abs(ledger.load_work) + std::abs(ledger.damper_loss), 0.0) << mechanism.name;
-      EXPECT_GE(ledger.damper_loss, 0.0) << mechanism.name;
+      const EnergyBalance balance = run_for(mechanism, loose ? 0.024 : 1.0, 10, tolerance).energy;
+      recorder.verify(mechanism.name + ": |residual| / exchanged [1]", 0.0, check_energy(balance).relative, bound);
+      EXPECT_GT(std::abs(balance.load_work) + std::abs(balance.damper_loss), 0.0) << mechanism.name;
+      EXPECT_GE(balance.damper_loss, 0.0) << mechanism.name;
     }
   }
 }

@@ -51,18 +51,18 @@ double find_largest_difference(const StageRecord& a, const StageRecord& b, const
   return largest;
 }
 
-TEST(NineBar, EnergyLedgerBalancesOverTenCycles) {
+TEST(NineBar, EnergyIsBalancedOverTenCycles) {
   book::Recorder recorder(
       {"Energy", "Nine-bar press, ten cycles", "conservation of energy",
        "What the ledger lacks to balance, as a share of the energy exchanged, over some 800 impacts.",
        "the goal of the project; a contact entered unseen would break it by orders of magnitude"});
   const auto stages = run_study(oracle::make_nine_bar(), make_study(10));
   ASSERT_EQ(stages.back().status, StageStatus::finished) << stages.back().message;
-  const EnergyLedger& ledger = stages.back().ledger;
-  EXPECT_GT(ledger.exchanged, 100.0);
-  recorder.verify("residual / exchanged [1]", 0.0, ledger.residual() / ledger.exchanged, 1e-6);
-  EXPECT_GT(ledger.contact_damping, 0.0);
-  EXPECT_GT(ledger.friction, 0.0);
+  const EnergyBalance& balance = stages.back().energy;
+  EXPECT_GT(balance.exchanged, 100.0);
+  recorder.verify("residual / exchanged [1]", 0.0, balance.residual() / balance.exchanged, 1e-6);
+  EXPECT_GT(balance.contact_damping, 0.0);
+  EXPECT_GT(balance.friction, 0.0);
 }
 
 TEST(NineBar, WornSurfacesKeepTheLedger) {
@@ -78,10 +78,10 @@ TEST(NineBar, WornSurfacesKeepTheLedger) {
     ASSERT_EQ(stages.size(), 2U);
     ASSERT_EQ(stages[1].status, StageStatus::finished) << stages[1].message;
     EXPECT_GT(stages[1].solver.onsets, stages[0].solver.onsets);
-    const EnergyLedger& ledger = stages[1].ledger;
+    const EnergyBalance& balance = stages[1].energy;
     const char* rule = deposition == WearDistribution::spread ? "spread" : "point";
     recorder.verify(fmt::format("residual / exchanged, {} deposition [1]", rule), 0.0,
-                    ledger.residual() / ledger.exchanged, 1e-6);
+                    balance.residual() / balance.exchanged, 1e-6);
   }
 }
 

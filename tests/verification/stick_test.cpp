@@ -98,7 +98,7 @@ TEST(Stick, DraggedBlockSticksAndSlips) {
     recorder.verify(fmt::format("slip {} ends [s]", k + 1), kEnds[k], slips[k].end, 1e-3);
     recorder.verify(fmt::format("slip {} moves [m]", k + 1), 0.6361, slips[k].distance, 1e-4);
   }
-  EXPECT_LE(check_energy(stage.ledger).relative, kEnergyTolerance);
+  EXPECT_LE(check_energy(stage.energy).relative, kEnergyTolerance);
 }
 
 // A steel shaft of 14.5 mm in its bearing, pressed with 100 N, and a torque on it of half of what slips.
@@ -138,7 +138,7 @@ TEST(Stick, HoldsALoadedJointForAThousandSeconds) {
   // bend.
   EXPECT_LE(std::abs(at("wheel.angle", 1000) - at("wheel.angle", 1)) * lever, 0.1 * at("pad.bristle", 1000));
   EXPECT_LT(stage.solver.evaluations, 1000000) << "explicit steps alone take 30 million";
-  EXPECT_LE(check_energy(stage.ledger).relative, kEnergyTolerance);
+  EXPECT_LE(check_energy(stage.energy).relative, kEnergyTolerance);
 }
 
 }  // namespace

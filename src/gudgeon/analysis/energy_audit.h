@@ -11,10 +11,10 @@
 
 namespace gudgeon {
 
-/// One line of the ledger as it enters the sum, which would be zero in exact arithmetic.
+/// One line of the energy balance as it enters the sum, which would be zero in exact arithmetic.
 struct EnergyLine {
   const char* meaning = "";
-  double value = 0.0;  ///< [J] signed: now − start − given + lost
+  double value = 0.0;  ///< [J] signed: end − start − supplied + dissipated
 };
 
 struct EnergyAudit {
@@ -23,12 +23,12 @@ struct EnergyAudit {
   double exchanged = 0.0;  ///< [J]
   double scale = 0.0;      ///< [J] what it is measured by, find_energy_scale()
   double relative = 0.0;   ///< [1] |residual| / scale
-  bool closed = false;     ///< relative is at most kEnergyTolerance
+  bool balanced = false;   ///< relative is at most kEnergyTolerance
 };
 
-EnergyAudit check_energy(const EnergyLedger& ledger);
+EnergyAudit check_energy(const EnergyBalance& balance);
 
-/// Whether the stage finished and its energy does not add up: its numbers are not to be relied on.
+/// Whether the stage finished and its energy balance does not close: its numbers are not to be relied on.
 bool is_unbalanced(const StageRecord& stage);
 
 /// What to tell of an unbalanced stage: by how much, and what to do. Empty for any other.

@@ -48,8 +48,8 @@ void add_message(CaseRun& one, const StageRecord& stage, const std::string& mess
   one.message += fmt::format("{}stage {}: {}", one.message.empty() ? "" : "\n  ", stage.name, message);
 }
 
-/// What a stage that did not finish, or whose energy does not add up, means for its case. It is the last one that did
-/// not finish.
+/// What a stage that did not finish, or whose energy balance does not close, means for its case. It is the last one
+/// that did not finish.
 void update_outcome(CaseRun& one, const StageRecord& stage) {
   if (is_unbalanced(stage)) {
     one.code = ExitCode::unbalanced;
@@ -131,7 +131,7 @@ void run_stages(CaseRun& one, const ModelFile& model, int index, Existing existi
 /// How a case ended, in a word or two for the progress display.
 std::string_view name_outcome(ExitCode code) {
   if (code == ExitCode::done) return "done";
-  if (code == ExitCode::unbalanced) return "done, but its energy does not add up,";
+  if (code == ExitCode::unbalanced) return "done, but its energy balance does not close,";
   return code == ExitCode::interrupted ? "stopped" : "failed";
 }
 

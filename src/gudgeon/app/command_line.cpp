@@ -43,7 +43,7 @@ A first session:
 Any value of the model can be changed from the command line:
   gudgeon run press.toml --set joints.A.radial_clearance="0.8 mm"
 
-Exit codes: 0 done, 2 usage, 3 model, 4 numerical, 5 file, 6 finished but an energy does not add up,
+Exit codes: 0 done, 2 usage, 3 model, 4 numerical, 5 file, 6 finished, but an energy balance does not close,
   130 Ctrl-C, 143 SIGTERM.
 `gudgeon COMMAND --help` explains a command.
 )";

@@ -14,7 +14,7 @@ enum class ExitCode {
   model = 3,          ///< the model or study is wrong
   numerical = 4,      ///< a computation could not go on; what was finished is kept
   file = 5,           ///< a file could not be read or written
-  unbalanced = 6,     ///< finished, but the energy of a stage does not add up
+  unbalanced = 6,     ///< finished, but the energy balance of a stage does not close
   interrupted = 130,  ///< SIGINT, as shells count it: 128 + 2
   terminated = 143,   ///< SIGTERM: 128 + 15
 };

@@ -211,9 +211,9 @@ std::string make_energy(const StageRecord& stage, const CsvOptions& options) {
     csv.add(term);
     csv.end_row();
   };
-  for (const auto& field : kEnergyReals) add(field.name, stage.ledger.*field.member);
-  add("residual", stage.ledger.residual());
-  add("allowed_residual", find_allowed_residual(stage.ledger));
+  for (const auto& field : kEnergyReals) add(field.name, stage.energy.*field.member);
+  add("residual", stage.energy.residual());
+  add("allowed_residual", find_allowed_residual(stage.energy));
   return csv.text();
 }
 

@@ -35,7 +35,7 @@ std::set<std::string> list_csv_units(const RunRecord& run);
 ///   STAGE_statistics.csv  a row a channel
 ///   STAGE_wear.csv        a row a cell of each joint, with the angle of the cell's middle
 ///   STAGE_events.csv      a row a stay in contact
-///   STAGE_energy.csv      a row a term of the ledger
+///   STAGE_energy.csv      a row a term of the energy balance
 /// in SI and radians unless other units are asked for; numbers as short as they still read back to the same double, an
 /// empty cell where there is no number; columns of text are the last. Wear and events are left out of a stage without
 /// clearance joints. Returns what was written. FileError when a file cannot be written, or one of them exists and may

@@ -31,18 +31,18 @@ inline constexpr std::array kStageReals{
 };
 
 inline constexpr std::array kEnergyReals{
-    Field<EnergyLedger, double>{"initial_energy", "J", &EnergyLedger::initial_energy},
-    Field<EnergyLedger, double>{"kinetic", "J", &EnergyLedger::kinetic},
-    Field<EnergyLedger, double>{"potential", "J", &EnergyLedger::potential},
-    Field<EnergyLedger, double>{"elastic", "J", &EnergyLedger::elastic},
-    Field<EnergyLedger, double>{"driver_work", "J", &EnergyLedger::driver_work},
-    Field<EnergyLedger, double>{"load_work", "J", &EnergyLedger::load_work, true},
-    Field<EnergyLedger, double>{"damper_loss", "J", &EnergyLedger::damper_loss, true},
-    Field<EnergyLedger, double>{"contact_damping", "J", &EnergyLedger::contact_damping},
-    Field<EnergyLedger, double>{"friction", "J", &EnergyLedger::friction},
-    Field<EnergyLedger, double>{"surface_work", "J", &EnergyLedger::surface_work},
-    Field<EnergyLedger, double>{"exchanged", "J", &EnergyLedger::exchanged},
-    Field<EnergyLedger, double>{"load_reach", "J", &EnergyLedger::load_reach, true},
+    Field<EnergyBalance, double>{"initial_energy", "J", &EnergyBalance::initial_energy},
+    Field<EnergyBalance, double>{"kinetic", "J", &EnergyBalance::kinetic},
+    Field<EnergyBalance, double>{"potential", "J", &EnergyBalance::potential},
+    Field<EnergyBalance, double>{"elastic", "J", &EnergyBalance::elastic},
+    Field<EnergyBalance, double>{"driver_work", "J", &EnergyBalance::driver_work},
+    Field<EnergyBalance, double>{"load_work", "J", &EnergyBalance::load_work, true},
+    Field<EnergyBalance, double>{"damper_loss", "J", &EnergyBalance::damper_loss, true},
+    Field<EnergyBalance, double>{"contact_damping", "J", &EnergyBalance::contact_damping},
+    Field<EnergyBalance, double>{"friction", "J", &EnergyBalance::friction},
+    Field<EnergyBalance, double>{"surface_work", "J", &EnergyBalance::surface_work},
+    Field<EnergyBalance, double>{"exchanged", "J", &EnergyBalance::exchanged},
+    Field<EnergyBalance, double>{"load_reach", "J", &EnergyBalance::load_reach, true},
 };
 
 inline constexpr std::array kSolverCounts{

@@ -117,7 +117,7 @@ void check_stage(const StageRecord& stage) {
   check_texts(stage);
   require_finite(stage, kStageReals);
   if (stage.cycle_time < 0.0) refuse("cycle_time", stage.cycle_time);
-  if (stage.status == StageStatus::finished) require_finite(stage.ledger, kEnergyReals);
+  if (stage.status == StageStatus::finished) require_finite(stage.energy, kEnergyReals);
   check_solver(stage.solver);
   for (const JointWear& wear : stage.wear) {
     check_sizes(wear);

@@ -90,7 +90,7 @@ StageRecord read_stage_outline(const Hdf5Handle& stages, const std::string& name
   read_statistics(node, stage);
   read_wear(node, stage);
   read_events(node, stage);
-  read_reals(open_group(node, "energy"), stage.ledger, kEnergyReals);
+  read_reals(open_group(node, "energy"), stage.energy, kEnergyReals);
   read_solver(node, stage.solver);
   check_stage(stage);
   return stage;

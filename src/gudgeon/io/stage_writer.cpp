@@ -64,12 +64,12 @@ void write_wear(const Hdf5Handle& node, const StageRecord& stage) {
   }
 }
 
-void write_energy(const Hdf5Handle& node, const EnergyLedger& ledger) {
+void write_energy(const Hdf5Handle& node, const EnergyBalance& balance) {
   const Hdf5Handle group = make_group(node, "energy");
-  write_reals(group, ledger, kEnergyReals);
+  write_reals(group, balance, kEnergyReals);
   // They follow from the others, for other programs.
-  write_real(group, "residual", ledger.residual(), "J");
-  write_real(group, "allowed_residual", find_allowed_residual(ledger), "J");
+  write_real(group, "residual", balance.residual(), "J");
+  write_real(group, "allowed_residual", find_allowed_residual(balance), "J");
 }
 
 void write_solver(const Hdf5Handle& node, const SolverStatistics& solver) {
@@ -87,7 +87,7 @@ void write_findings(const Hdf5Handle& node, const StageRecord& stage) {
   write_statistics(node, stage);
   write_table(node, "events", kEventShape, stage.events.data(), stage.events.size());
   write_wear(node, stage);
-  write_energy(node, stage.ledger);
+  write_energy(node, stage.energy);
   write_solver(node, stage.solver);
 }
 

@@ -76,7 +76,7 @@ const ChannelStatistics& StageResult::statistics(std::string_view channel) const
                     name_place(*stage_));
 }
 
-double StageResult::energy_error() const { return check_energy(stage_->ledger).relative; }
+double StageResult::energy_error() const { return check_energy(stage_->energy).relative; }
 
 std::vector<std::string> Result::stage_names() const { return list_names(stages_, &StageRecord::name); }
 

@@ -92,7 +92,7 @@ std::string render_contents(const RunRecord& run, bool color) {
                {"statistics", Alignment::right},
                {"contacts", Alignment::right},
                {"energy residual", Alignment::right},
-               {"adds up"},
+               {"balanced"},
                {"worn joints (cells)"}});
   for (const StageRecord& stage : run.stages) {
     std::string joints;
@@ -104,7 +104,7 @@ std::string render_contents(const RunRecord& run, bool color) {
     table.add_row({stage.name, format_engineering(stage.start_time, "s"), format_engineering(stage.end_time, "s"),
                    samples, format_count(static_cast<std::int64_t>(stage.statistics.size())),
                    format_count(static_cast<std::int64_t>(stage.events.size())),
-                   fmt::format("{:.1e}", check_energy(stage.ledger).relative), is_closed(stage.ledger) ? "yes" : "NO",
+                   fmt::format("{:.1e}", check_energy(stage.energy).relative), is_balanced(stage.energy) ? "yes" : "NO",
                    joints});
   }
   return table.empty() ? "" : render_title("Contents", color) + table.render(color);

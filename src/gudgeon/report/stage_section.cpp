@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "gudgeon/analysis/energy_audit.h"
-#include "gudgeon/analysis/surface_limits.h"
 #include "gudgeon/analysis/slider_coordinates.h"
+#include "gudgeon/analysis/surface_limits.h"
 #include "gudgeon/report/number_format.h"
 #include "gudgeon/report/table.h"
 
@@ -120,7 +120,7 @@ std::string render_peaks(const RunRecord& run, bool color) {
 std::string render_energy(const RunRecord& run, bool color) {
   if (run.stages.empty()) return "";
   std::vector<EnergyAudit> audits;
-  for (const StageRecord& stage : run.stages) audits.push_back(check_energy(stage.ledger));
+  for (const StageRecord& stage : run.stages) audits.push_back(check_energy(stage.energy));
   Table table = make_stage_columns(run, "energy");
   const auto add_row = [&](const char* meaning, auto render_cell) {
     std::vector<std::string> row{meaning};
@@ -137,10 +137,10 @@ std::string render_energy(const RunRecord& run, bool color) {
   add_row("energy exchanged", [](const EnergyAudit& audit) { return format_engineering(audit.exchanged, "J"); });
   add_row("scale: exchanged and held", [](const EnergyAudit& audit) { return format_engineering(audit.scale, "J"); });
   add_row("residual / scale", [](const EnergyAudit& audit) { return fmt::format("{:.1e}", audit.relative); });
-  add_row("adds up", [](const EnergyAudit& audit) { return std::string(audit.closed ? "yes" : "NO"); });
-  return render_title(
-             fmt::format("Energy ledger (now − start − given + lost; adds up within {:.0e})", kEnergyTolerance),
-             color) +
+  add_row("balanced", [](const EnergyAudit& audit) { return std::string(audit.balanced ? "yes" : "NO"); });
+  return render_title(fmt::format("Energy balance (end − start − supplied + dissipated; balanced within {:.0e})",
+                                  kEnergyTolerance),
+                      color) +
          table.render(color);
 }
 

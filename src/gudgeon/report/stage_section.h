@@ -22,7 +22,7 @@ std::string render_limits_exceeded(const RunRecord& run, bool color);
 /// Peaks of contact forces, driver efforts and slider accelerations that have statistics, a column a stage.
 std::string render_peaks(const RunRecord& run, bool color);
 
-/// The energy ledger, a column a stage, with its residual against the energy exchanged.
+/// The energy balance, a column a stage, with its residual against the energy exchanged.
 std::string render_energy(const RunRecord& run, bool color);
 
 }  // namespace gudgeon

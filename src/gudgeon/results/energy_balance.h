@@ -15,23 +15,25 @@ namespace gudgeon {
 inline constexpr double kEnergyTolerance = 1e-6;
 
 /// What the residual is measured by [J]: the energy exchanged, and what energies that were there throughout can be
-/// known to. Speeds are known to 1e-7 where steps are held by the ledger, and a kinetic energy to twice that; sums of
-/// some thousand terms are rounded to 1e-12, energies as well as places, over which loads work.
-inline double find_energy_scale(const EnergyLedger& ledger) {
+/// known to. Speeds are known to 1e-7 where steps are held by the energy balance, and a kinetic energy to twice that;
+/// sums of some thousand terms are rounded to 1e-12, energies as well as places, over which loads work.
+inline double find_energy_scale(const EnergyBalance& balance) {
   constexpr double kSpeedsKnown = 1e-7;
   constexpr double kSumsKnown = 1e-12;
   const double held =
-      std::abs(ledger.initial_energy) + ledger.kinetic + std::abs(ledger.potential) + std::abs(ledger.elastic);
-  const double rounded = kSumsKnown * (held + ledger.load_reach);
-  return ledger.exchanged + (2.0 * kSpeedsKnown * ledger.kinetic + rounded) / kEnergyTolerance;
+      std::abs(balance.initial_energy) + balance.kinetic + std::abs(balance.potential) + std::abs(balance.elastic);
+  const double rounded = kSumsKnown * (held + balance.load_reach);
+  return balance.exchanged + (2.0 * kSpeedsKnown * balance.kinetic + rounded) / kEnergyTolerance;
 }
 
 /// The largest residual [J] with which the energy adds up.
-inline double find_allowed_residual(const EnergyLedger& ledger) { return kEnergyTolerance * find_energy_scale(ledger); }
+inline double find_allowed_residual(const EnergyBalance& balance) {
+  return kEnergyTolerance * find_energy_scale(balance);
+}
 
 /// Not where any term is no number.
-inline bool is_closed(const EnergyLedger& ledger) {
-  return std::abs(ledger.residual()) <= find_allowed_residual(ledger);
+inline bool is_balanced(const EnergyBalance& balance) {
+  return std::abs(balance.residual()) <= find_allowed_residual(balance);
 }
 
 }  // namespace gudgeon

@@ -42,7 +42,7 @@ struct ContactEvent {
 };
 
 /// Energies of a stage from its start, all in J. The residual would be zero in exact arithmetic.
-struct EnergyLedger {
+struct EnergyBalance {
   double initial_energy = 0.0;   ///< kinetic + potential + elastic at the start
   double kinetic = 0.0;          ///< at the end
   double potential = 0.0;        ///< of gravity, constant loads and springs, at the end
@@ -120,7 +120,7 @@ struct StageRecord {
   std::vector<ChannelStatistics> statistics;
   std::vector<JointWear> wear;  ///< one a clearance joint
   std::vector<ContactEvent> events;
-  EnergyLedger ledger;
+  EnergyBalance energy;
   SolverStatistics solver;
 };
 

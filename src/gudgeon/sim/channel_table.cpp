@@ -212,7 +212,7 @@ class ChannelTable {
         [](At at) { return at.integrals[kContactDamping]; });
     add("energy.friction", "W_f", "J", "Energy lost to friction since the start",
         [](At at) { return at.integrals[kFrictionLoss]; });
-    add("energy.residual", "ε", "J", "What the ledger lacks to balance", [](At at) {
+    add("energy.residual", "ε", "J", "Residual of the energy balance", [](At at) {
       return at.kinetic + at.potential + at.elastic - at.initial_energy - at.integrals[kDriverWork] -
              at.integrals[kLoadWork] + at.integrals[kDamperLoss] + at.integrals[kContactDamping] +
              at.integrals[kFrictionLoss] - at.integrals[kSurfaceWork];

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "gudgeon/base/state_archive.h"
-#include "gudgeon/sim/ledger_control.h"
+#include "gudgeon/sim/energy_error_control.h"
 #include "gudgeon/sim/step_control.h"
 #include "gudgeon/sim/stepper.h"
 #include "gudgeon/sim/work_control.h"
@@ -35,8 +35,8 @@ class ControlledStepper : public Stepper {
     end_at(h);
     AttemptedStep step = describe_attempt();
     end_residual_ = equations_.find_residual(step.end.data());
-    step.ledger_error = ledger_.find_error(end_residual_, find_exchanged(step.end));
-    if (step.ledger_error > 1.0) step.loss_error = find_loss_error(step);
+    step.energy_error = energy_control_.find_error(end_residual_, find_exchanged(step.end));
+    if (step.energy_error > 1.0) step.loss_error = find_loss_error(step);
     if (works_ && h > shortest_for_works_) step.work_error = find_work_error(step);
     return control_.accepts(step);
   }
@@ -47,7 +47,7 @@ class ControlledStepper : public Stepper {
   [[nodiscard]] bool evaluates_end() const final { return true; }
   void transfer(StateArchive& archive) override {
     Stepper::transfer(archive);
-    archive(control_, ledger_, largest_load_, attempted_, end_residual_, was_whole_);
+    archive(control_, energy_control_, largest_load_, attempted_, end_residual_, was_whole_);
   }
 
  protected:
@@ -56,9 +56,9 @@ class ControlledStepper : public Stepper {
   /// Estimated local error of any component, also of an integral, over the last attempt.
   [[nodiscard]] virtual double find_error(std::size_t component) const = 0;
   /// The workspace was evaluated at the start of the next step.
-  void begin_ledger(const std::vector<double>& y, bool continues) noexcept {
+  void begin_energy_control(const std::vector<double>& y, bool continues) noexcept {
     const bool is_known = continues && was_whole_ && y == end_;
-    ledger_.begin(is_known ? end_residual_ : equations_.find_residual(y.data()), find_exchanged(y));
+    energy_control_.begin(is_known ? end_residual_ : equations_.find_residual(y.data()), find_exchanged(y));
   }
   // A step that was ended early, where a contact changes, says nothing of how long others may be.
   void note_accepted(double h) {
@@ -83,7 +83,7 @@ class ControlledStepper : public Stepper {
       sum += std::abs(find_error(equations_.n_states() + static_cast<std::size_t>(loss)));
     }
     const double kinetic = find_kinetic_energy(equations_.tables(), equations_.workspace.coordinates);
-    return ledger_.find_share(sum, find_exchanged(step.end), kinetic);
+    return energy_control_.find_share(sum, find_exchanged(step.end), kinetic);
   }
 
   [[nodiscard]] double find_work_error(const AttemptedStep& step) noexcept {
@@ -91,7 +91,7 @@ class ControlledStepper : public Stepper {
     const bool is_driven = equations_.n_free() == 0;
     double largest = 0.0;
     for (const int work : {kLoadWork, kDamperLoss, kDriverWork, kContactDamping, kFrictionLoss}) {
-      // Impacts are in the drivers' efforts, and in the ledger; it does not see them where all is driven.
+      // Impacts are in the drivers' efforts, and in the energy balance; it does not see them where all is driven.
       const bool is_of_contacts =
           work == kContactDamping || work == kFrictionLoss || (work == kDriverWork && !equations_.latches.empty());
       if (is_of_contacts && !is_driven) continue;
@@ -111,12 +111,12 @@ class ControlledStepper : public Stepper {
   }
 
   StepControl control_;
-  LedgerControl ledger_;
+  EnergyErrorControl energy_control_;
   std::optional<WorkControl> works_;
   double shortest_for_works_;  // [s] of the steps that works may ask for
   double largest_load_ = 0.0;  // [N, N m]
   double attempted_ = 0.0;     // [s]
-  double end_residual_ = 0.0;  // [J] of the ledger at the end of the attempt
+  double end_residual_ = 0.0;  // [J] of the energy balance at the end of the attempt
   bool was_whole_ = false;     // the last step was as long as it was attempted
 };
 

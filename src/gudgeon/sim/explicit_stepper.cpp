@@ -18,7 +18,7 @@ ExplicitStepper::ExplicitStepper(MotionEquations& equations, SolverStatistics& s
 void ExplicitStepper::begin(double time, const std::vector<double>& y, const std::vector<double>& slope,
                             bool continues) {
   formula_.begin(time, y, slope);
-  begin_ledger(y, continues);
+  begin_energy_control(y, continues);
   pass_samples_on();
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kStages = Esdirk::kStages;
 // A stage is solved once a correction is below this share of the tolerance; the last one is still made. The energy
-// ledger may hold a step to a tenth of its tolerance, and powers are those before the last correction.
+// balance may hold a step to a tenth of its tolerance, and powers are those before the last correction.
 constexpr double kSolved = 0.001;
 // Of tolerances next to rounding, corrections below this share that no longer shrink are all that can be had.
 constexpr double kNearlySolved = 0.1;
@@ -61,7 +61,7 @@ void ImplicitStepper::begin(double time, const std::vector<double>& y, const std
     response_.update(equations_.workspace);
     has_response_ = true;
   }
-  begin_ledger(y, continues);
+  begin_energy_control(y, continues);
 }
 
 void ImplicitStepper::end_at(double h) {

@@ -126,7 +126,7 @@ class MotionEquations {
            find_elastic_energy(workspace);
   }
 
-  /// What the energy ledger is off by [J], Eq. E1; y's states must be those of the last evaluation.
+  /// What the energy balance is off by [J], Eq. E1; y's states must be those of the last evaluation.
   [[nodiscard]] double find_residual(const double* y) const noexcept {
     const double* integral = y + n_states();
     const double given = integral[kDriverWork] + integral[kLoadWork] + integral[kSurfaceWork];

@@ -28,7 +28,7 @@
 
 namespace gudgeon {
 
-/// Advances one motion. Steps are controlled by their local error and the energy ledger; a contact's change ends its
+/// Advances one motion. Steps are controlled by their local error and the energy balance; a contact's change ends its
 /// step, an onset being located just before the surfaces touch, and its speed latched; loop closures are
 /// projected when they need it. Allocates nothing after construction, but where closure rows are exchanged.
 class MotionIntegrator {

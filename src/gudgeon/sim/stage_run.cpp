@@ -350,19 +350,19 @@ void StageRun::finish() {
   motion_.evaluate_again();
   const StageRecorder::Energies energies = recorder_.find_energies(motion_.equations().workspace);
   const double* integrals = motion_.y().data() + motion_.equations().n_states();
-  EnergyLedger& ledger = record_.ledger;
-  ledger.initial_energy = initial_energies_.total();
-  ledger.kinetic = energies.kinetic;
-  ledger.potential = energies.potential;
-  ledger.elastic = energies.elastic;
-  ledger.driver_work = integrals[kDriverWork];
-  ledger.load_work = integrals[kLoadWork];
-  ledger.damper_loss = integrals[kDamperLoss];
-  ledger.contact_damping = integrals[kContactDamping];
-  ledger.friction = integrals[kFrictionLoss];
-  ledger.surface_work = integrals[kSurfaceWork];
-  ledger.exchanged = integrals[kExchanged];
-  ledger.load_reach = reach_.largest();
+  EnergyBalance& balance = record_.energy;
+  balance.initial_energy = initial_energies_.total();
+  balance.kinetic = energies.kinetic;
+  balance.potential = energies.potential;
+  balance.elastic = energies.elastic;
+  balance.driver_work = integrals[kDriverWork];
+  balance.load_work = integrals[kLoadWork];
+  balance.damper_loss = integrals[kDamperLoss];
+  balance.contact_damping = integrals[kContactDamping];
+  balance.friction = integrals[kFrictionLoss];
+  balance.surface_work = integrals[kSurfaceWork];
+  balance.exchanged = integrals[kExchanged];
+  balance.load_reach = reach_.largest();
   recorder_.finish(record_);
 }
 

@@ -24,7 +24,7 @@
 namespace gudgeon {
 
 /// Runs the system over warm-up and counted cycles from time zero; samples, statistics, contacts and wear are those of
-/// the counted cycles, the energy ledger that of the whole.
+/// the counted cycles, the energy balance that of the whole.
 class StageRun {
  public:
   StageRun(const System& system, const Study& study, double cycle_time, std::string name);

@@ -20,9 +20,9 @@ constexpr double kLastErrorExponent = 0.04;
 // Errors below these say no more about the next step.
 constexpr double kLeastError = 1e-10;
 constexpr double kLeastLogError = -9.0;  // ln of 1.2e-4
-// For the ledger a step keeps at most this share of its tolerance. What it is off by may be rounding, or the work of
-// feedback, which no length of a step would mend; unless it may as well be what the losses of contacts are off by,
-// which the motion need not feel.
+// For the energy balance a step keeps at most this share of its tolerance. What it is off by may be rounding, or the
+// work of feedback, which no length of a step would mend; unless it may as well be what the losses of contacts are off
+// by, which the motion need not feel.
 constexpr double kStrictest = 0.1;
 
 }  // namespace
@@ -47,8 +47,8 @@ double StepControl::find_error(const AttemptedStep& step) const {
 
 bool StepControl::accepts(const AttemptedStep& step) {
   const double local_error = find_error(step);
-  const double ledger_error = std::min(step.ledger_error, std::max(local_error / kStrictest, step.loss_error));
-  const double error = std::max({local_error, ledger_error, step.work_error});
+  const double energy_error = std::min(step.energy_error, std::max(local_error / kStrictest, step.loss_error));
+  const double error = std::max({local_error, energy_error, step.work_error});
   if (!std::isfinite(error)) {
     next_ = kLeastChange * step.h;
     return false;

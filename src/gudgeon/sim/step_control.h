@@ -13,19 +13,19 @@
 namespace gudgeon {
 
 /// A step that was tried: its length [s], the states at its ends, the estimated local error of each, what it adds to
-/// the energy ledger's residual by what it may add [1], the estimated error of what contacts lose in it by the same
+/// the energy balance's residual by what it may add [1], the estimated error of what contacts lose in it by the same
 /// [1], and the error of its works by what that may be [1].
 struct AttemptedStep {
   double h;
   std::span<const double> start;
   std::span<const double> end;
   std::span<const double> error;
-  double ledger_error = 0.0;
+  double energy_error = 0.0;
   double loss_error = 0.0;
   double work_error = 0.0;
 };
 
-/// Proportional-integral control of the step by its local error, Hairer & Wanner 1996, IV.2, and by the energy ledger.
+/// Proportional-integral control of the step by its local error, Hairer & Wanner 1996, IV.2, and by the energy balance.
 class StepControl {
  public:
   /// What follows the components that have a tolerance is carried along without one. Holds on to the tolerance.
@@ -34,8 +34,8 @@ class StepControl {
   /// Length proposed for the next attempt [s].
   [[nodiscard]] double next_step() const { return next_; }
 
-  /// Whether the attempted step keeps the tolerance, or as little as a tenth of it where the ledger needs that, or less
-  /// where the losses of contacts do; proposes the next length either way.
+  /// Whether the attempted step keeps the tolerance, or as little as a tenth of it where the energy balance needs that,
+  /// or less where the losses of contacts do; proposes the next length either way.
   bool accepts(const AttemptedStep& step);
 
   /// The step kept the tolerance but could not be used for another reason.

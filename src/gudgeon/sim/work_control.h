@@ -10,7 +10,7 @@ namespace gudgeon {
 
 /// Holds the local error of works to the relative tolerance: of what the step itself exchanges, and of a part of what
 /// was exchanged before, so that a dead point or a rest does not hold it short; what nothing but rounding moves is off
-/// by nothing. The energy ledger cannot see such an error: where a driver works against a load, both sides have it.
+/// by nothing. The energy balance cannot see such an error: where a driver works against a load, both sides have it.
 class WorkControl {
  public:
   /// Of what was exchanged before, a step counts this share.

@@ -63,8 +63,8 @@ void CaseList::add(const ReportCase& one, const std::string& extent) {
   const StageRecord& last = run.stages.back();
   const bool is_balanced = std::ranges::none_of(run.stages, is_unbalanced);
   table_.add_row({run.case_name, shorten(one.case_description),
-                  fmt::format("{}{}", name_status(last.status), is_balanced ? "" : ", energy does not add up"), extent,
-                  format_engineering(find_largest_peak(last, ".normal_force"), "N"),
+                  fmt::format("{}{}", name_status(last.status), is_balanced ? "" : ", energy balance does not close"),
+                  extent, format_engineering(find_largest_peak(last, ".normal_force"), "N"),
                   format_engineering(find_deepest_wear(run), "m")});
 }
 

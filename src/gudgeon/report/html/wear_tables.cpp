@@ -79,24 +79,24 @@ std::string render_wear_table(const RunRecord& run) {
 
 std::string render_energy_table(const RunRecord& run) {
   if (run.stages.empty()) return {};
-  HtmlTable table = make_stage_table(run, "Energy ledger: now − start − given + lost", "energy");
-  const std::size_t n_lines = check_energy(run.stages.front().ledger).lines.size();
+  HtmlTable table = make_stage_table(run, "Energy balance: end − start − supplied + dissipated", "energy");
+  const std::size_t n_lines = check_energy(run.stages.front().energy).lines.size();
   for (std::size_t k = 0; k < n_lines; ++k) {
-    const auto find_line = [k](const StageRecord& stage) { return check_energy(stage.ledger).lines[k]; };
+    const auto find_line = [k](const StageRecord& stage) { return check_energy(stage.energy).lines[k]; };
     if (std::ranges::all_of(run.stages, [&](const StageRecord& s) { return find_line(s).value == 0.0; })) continue;
     add_stage_row(table, run, find_line(run.stages.front()).meaning,
                   [&](const StageRecord& s) { return format_engineering(find_line(s).value, "J"); });
   }
   add_stage_row(table, run, "sum (residual)",
-                [](const StageRecord& s) { return format_engineering(check_energy(s.ledger).residual, "J"); });
+                [](const StageRecord& s) { return format_engineering(check_energy(s.energy).residual, "J"); });
   add_stage_row(table, run, "energy exchanged",
-                [](const StageRecord& s) { return format_engineering(s.ledger.exchanged, "J"); });
+                [](const StageRecord& s) { return format_engineering(s.energy.exchanged, "J"); });
   add_stage_row(table, run, "scale: exchanged and held",
-                [](const StageRecord& s) { return format_engineering(find_energy_scale(s.ledger), "J"); });
+                [](const StageRecord& s) { return format_engineering(find_energy_scale(s.energy), "J"); });
   add_stage_row(table, run, "residual / scale",
-                [](const StageRecord& s) { return fmt::format("{:.1e}", check_energy(s.ledger).relative); });
-  add_stage_row(table, run, fmt::format("adds up within {:.0e}", kEnergyTolerance),
-                [](const StageRecord& s) { return std::string(is_closed(s.ledger) ? "yes" : "NO"); });
+                [](const StageRecord& s) { return fmt::format("{:.1e}", check_energy(s.energy).relative); });
+  add_stage_row(table, run, fmt::format("balanced within {:.0e}", kEnergyTolerance),
+                [](const StageRecord& s) { return std::string(is_balanced(s.energy) ? "yes" : "NO"); });
   return table.render();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much a step may add to what the energy ledger is off by.
+// How much a step may add to what the energy balance is off by.
 #pragma once
 
 #include <algorithm>
@@ -11,19 +11,20 @@
 
 namespace gudgeon {
 
-/// Keeps the ledger's residual below kLargestResidual of the energy exchanged. A step may add the same share of what it
-/// exchanges itself, and a part of what steps before it have left unused; what brings the residual nearer to zero is
-/// free. So a dead point, a rest or a knock, in which next to nothing is exchanged, does not hold its step short.
-class LedgerControl {
+/// Keeps the energy balance's residual below kLargestResidual of the energy exchanged. A step may add the same share of
+/// what it exchanges itself, and a part of what steps before it have left unused; what brings the residual nearer to
+/// zero is free. So a dead point, a rest or a knock, in which next to nothing is exchanged, does not hold its step
+/// short.
+class EnergyErrorControl {
  public:
-  /// Of the energy exchanged [1]. The ledger is judged by 1e-6; projections add to its residual, too.
+  /// Of the energy exchanged [1]. The energy balance is judged by 1e-6; projections add to its residual, too.
   static constexpr double kLargestResidual = 3e-7;
   /// Of what is left, a step may use this share: the next ones may need it as well.
   static constexpr double kShareOfRest = 0.1;
-  /// Speeds are known to 1e-7 where the ledger holds steps.
+  /// Speeds are known to 1e-7 where the energy balance holds steps.
   static constexpr double kKineticKnown = 2e-7;
 
-  /// Where attempts start: the ledger's residual and the energy exchanged until there [J].
+  /// Where attempts start: the energy balance's residual and the energy exchanged until there [J].
   void begin(double residual, double exchanged) noexcept {
     residual_ = std::abs(residual);
     exchanged_ = exchanged;
