@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Arcs laid onto cells: against each cell's overlap counted out, and what all of them hold together.
+// Arcs distributed over cells: against each cell's overlap counted out, and what all of them hold together.
 #include "gudgeon/geometry/arc_accumulator.h"
 
 #include <gtest/gtest.h>

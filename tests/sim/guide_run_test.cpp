@@ -115,7 +115,7 @@ TEST(GuideRun, EveryStageRunsOnWhatTheOneBeforeLeft) {
     ASSERT_EQ(before.journal_depth.size(), n_corners * 120U);
     EXPECT_EQ(before.n_cells(), 120U);
     EXPECT_GT(before.slot_length, 0.0);
-    EXPECT_NEAR(before.removed_volume / before.archard_volume, 1.0, 1e-9) << "rounding of many deposits";
+    EXPECT_NEAR(before.removed_volume / before.archard_volume, 1.0, 1e-9) << "rounding of many increments";
     for (std::size_t k = 0; k < after.bearing_depth.size(); ++k) {
       EXPECT_EQ(after.bearing_depth[k], before.bearing_depth[k] + before.bearing_depth_added[k]);
     }
@@ -135,8 +135,8 @@ TEST(GuideRun, EveryStageRunsOnWhatTheOneBeforeLeft) {
 }
 
 // Each corner has a bristle of its own; both integrators, stiff and explicit, keep the energy balance.
-// Cells far finer than a contact show the steps that wear was laid down in, unless their waves are left out: a stage on
-// such surfaces then takes several times the evaluations.
+// Cells far finer than a contact show the steps in which wear was distributed, unless their waves are left out: a stage
+// on such surfaces then takes several times the evaluations.
 TEST(GuideRun, FineCellsTakeNoMoreEvaluations) {
   Mechanism mechanism = oracle::make_scotch_yoke_clearance();
   mechanism.drivers.push_back({"motor", DrivenAngle{"crank"}, 0.8, 25.0});

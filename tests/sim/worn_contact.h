@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "gudgeon/sim/wear_deposit.h"
+#include "gudgeon/sim/wear_accumulator.h"
 
 namespace gudgeon {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sums of many arcs laid onto a circumference of equal cells.
+// Sums of many arcs distributed over a circumference of equal cells.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace gudgeon {
 
 /// Adds constant amounts over arcs, also over such as move and grow: only where an arc's ends are, or pass, are changes
 /// noted, as first differences; sum() integrates them. Parabolas are added cell by cell. A cell that an arc
-/// covers in part, or for part of its movement, gets that part, so that what is laid down in all equals mean amount
+/// covers in part, or for part of its movement, gets that part, so that what is distributed in all equals mean amount
 /// times arc width, to rounding, whatever the number of cells.
 class ArcAccumulator {
  public:
@@ -36,7 +36,7 @@ class ArcAccumulator {
     Ramp front;
   };
   /// What one circumference of several gets.
-  struct Layer {
+  struct Increment {
     ArcAccumulator* surface;
     double amount;
   };
@@ -62,18 +62,18 @@ class ArcAccumulator {
             {front - front_half - shift, front + front_half - shift}};
   }
 
-  /// Adds to every point the layer's amount times the share of the movement during which the arc covers it, on
+  /// Adds to every point the increment's amount times the share of the movement during which the arc covers it, on
   /// circumferences of as many cells.
-  static void add_sweep(const Sweep& sweep, std::span<const Layer> layers) noexcept {
-    const double rear = add_ramp(sweep.rear, 1.0, layers);
-    const double front = add_ramp(sweep.front, -1.0, layers);
-    for (const Layer& layer : layers) layer.surface->base_ += layer.amount * (rear - front);
+  static void add_sweep(const Sweep& sweep, std::span<const Increment> increments) noexcept {
+    const double rear = add_ramp(sweep.rear, 1.0, increments);
+    const double front = add_ramp(sweep.front, -1.0, increments);
+    for (const Increment& increment : increments) increment.surface->base_ += increment.amount * (rear - front);
   }
 
   /// The same on this circumference.
   void add_sweep(const Sweep& sweep, double amount) noexcept {
-    const Layer layer{this, amount};
-    add_sweep(sweep, {&layer, 1});
+    const Increment increment{this, amount};
+    add_sweep(sweep, {&increment, 1});
   }
 
   /// Adds `amount` to every point of the arc of that width [rad] <= 2π centred at `angle` [rad].
@@ -127,10 +127,10 @@ class ArcAccumulator {
  private:
   static constexpr double kLeastPath = 1e-3;  // widths
 
-  // Raises all that lies behind a ramp by `sign` times each layer's amount. Returns the share of it that is reached at
-  // the seam. What is noted are the differences of the ramp's mean over each cell; between its ends they are equal.
-  static double add_ramp(const Ramp& ramp, double sign, std::span<const Layer> layers) noexcept {
-    const std::size_t n = layers.front().surface->cell_amounts_.size();
+  // Raises all that lies behind a ramp by `sign` times each increment's amount. Returns the share of it that is reached
+  // at the seam. What is noted are the differences of the ramp's mean over each cell; between its ends they are equal.
+  static double add_ramp(const Ramp& ramp, double sign, std::span<const Increment> increments) noexcept {
+    const std::size_t n = increments.front().surface->cell_amounts_.size();
     const std::size_t first = static_cast<std::size_t>(ramp.from);
     const std::size_t last = static_cast<std::size_t>(ramp.to);
     const double begin = static_cast<double>(first);
@@ -141,9 +141,9 @@ class ArcAccumulator {
     const double first_share = is_within_one ? begin + 1.0 - 0.5 * (ramp.from + ramp.to)
                                              : 0.5 * slope * (begin + 1.0 - ramp.from) * (begin + 1.0 - ramp.from);
     const double last_share = is_within_one ? first_share : 1.0 - 0.5 * slope * (ramp.to - end) * (ramp.to - end);
-    for (const Layer& layer : layers) {
-      double* differences = layer.surface->differences_.data();
-      const double amount = sign * layer.amount;
+    for (const Increment& increment : increments) {
+      double* differences = increment.surface->differences_.data();
+      const double amount = sign * increment.amount;
       const auto wrap = [n](std::size_t cell) { return cell < n ? cell : cell - n; };
       differences[wrap(first)] += amount * first_share;
       if (last > first + 1) {

@@ -15,7 +15,7 @@ namespace gudgeon {
 /// h(φ) = Σ h_k B₃(φ/Δ − k − ½), the periodic uniform cubic B-spline whose coefficients are the cell depths.
 ///
 /// Twice continuously differentiable, never outside the range of the cell depths, and its integral over the
-/// circumference is exactly Δ Σ h_k: the curve holds the volume that was deposited. A cell's own depth spreads over
+/// circumference is exactly Δ Σ h_k: the curve holds the volume that was worn off. A cell's own depth spreads over
 /// two cells to each side with weights 1/6, 2/3, 1/6. Cell k covers angles [k Δ, (k+1) Δ], Δ = 2π/n.
 class RadialProfile {
  public:

@@ -160,7 +160,7 @@ void StageRun::close_touching() {
 void StageRun::take_step(double step_start, const std::stop_token& stop) {
   const double now = motion_.time();
   reach_.note(motion_.equations().workspace);
-  if (step_start >= warm_up_end_) deposit_wear();
+  if (step_start >= warm_up_end_) accumulate_wear();
   is_sampled_ = sample_until(now, stop);
   if (step_start >= warm_up_end_) {
     peaks_.take_step(motion_);
@@ -170,7 +170,7 @@ void StageRun::take_step(double step_start, const std::stop_token& stop) {
   if (const auto contact = motion_.changing_contact()) note_contact_change(*contact);
 }
 
-void StageRun::deposit_wear() {
+void StageRun::accumulate_wear() {
   const double h = motion_.last_step();
   const Stepper& step = motion_.stepper();
   const std::span<const double> nodes = step.nodes();

@@ -19,7 +19,7 @@
 #include "gudgeon/sim/peak_watch.h"
 #include "gudgeon/sim/run_pace.h"
 #include "gudgeon/sim/stage_recorder.h"
-#include "gudgeon/sim/wear_deposit.h"
+#include "gudgeon/sim/wear_accumulator.h"
 
 namespace gudgeon {
 
@@ -51,7 +51,7 @@ class StageRun {
   void stop_on_request();
   void take_checkpoint();
   void transfer(StateArchive& archive);
-  void deposit_wear();
+  void accumulate_wear();
   void close_touching();
   void open_contact(std::size_t contact);
   void note_contact_change(std::size_t contact);
@@ -73,8 +73,8 @@ class StageRun {
   StageRecorder recorder_;
   ContactHistory history_;
   PeakWatch peaks_;
-  std::vector<WearDeposit> wear_;              // one a clearance joint
-  std::vector<WearDeposit::StepSample> step_;  // of one contact
+  std::vector<WearAccumulator> wear_;              // one a clearance joint
+  std::vector<WearAccumulator::StepSample> step_;  // of one contact
   Workspace scratch_;
   StageRecord record_;
   RunPace pace_;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wear of one clearance joint, laid down cell by cell while a stage runs.
+// Wear of one clearance joint, distributed cell by cell while a stage runs.
 #pragma once
 
 #include <initializer_list>
@@ -17,17 +17,17 @@ namespace gudgeon {
 
 /// dh = ḣ dt for both surfaces of one joint; eqs. (26) to (32) of the paper. The laws are asked once for an arc, with
 /// its mean pressure F/(w L) and with what holds at its middle; as they are proportional to the pressure, its
-/// distribution is that of the depth, and the volume is that of a unit length under F/w. Spread distribution lays the
-/// depth over the arc as it moves and grows over the step, so that neither the removed volume nor a cell's depth
+/// distribution is that of the depth, and the volume is that of a unit length under F/w. Spread distribution spreads
+/// the depth over the arc as it moves and grows over the step, so that neither the removed volume nor a cell's depth
 /// depends on the number of cells or of steps; point distribution gives the depth at the middle to the one cell of
 /// the contact point. Each side of a slot is laid out as a circumference of its length whose ends do not meet; a
 /// contact that reaches past an end wears the last part of the side.
-class WearDeposit {
+class WearAccumulator {
  public:
   /// The contacts of one joint. What the stage wears is handed out times the wear acceleration, and the laws see the
   /// sliding distance so.
-  WearDeposit(std::span<const Contact> contacts, WearDistribution distribution, int n_cells,
-              double wear_acceleration = 1.0);
+  WearAccumulator(std::span<const Contact> contacts, WearDistribution distribution, int n_cells,
+                  double wear_acceleration = 1.0);
 
   /// One contact at one stage of an accepted step.
   struct StepSample {
@@ -36,9 +36,9 @@ class WearDeposit {
     double weight;  ///< [s] in integrals over the step; may be negative
     double share;   ///< [1] weight of a place where the contact was, never negative; 0 for stages that tell of none
   };
-  /// One contact over an accepted step. How much it wears is integrated over all stages, where it is laid down is told
-  /// by those with a share: so the amount is as accurate as the motion, and no place gets less than nothing unless the
-  /// whole step is given less, as an integration rule may where a force sets in within it.
+  /// One contact over an accepted step. How much it wears is integrated over all stages, where it is distributed is
+  /// told by those with a share: so the amount is as accurate as the motion, and no place gets less than nothing unless
+  /// the whole step is given less, as an integration rule may where a force sets in within it.
   void add(std::span<const StepSample> samples) noexcept;
   /// The same of a step seen at its middle.
   void add(const ContactSample& sample, double weight) noexcept { add({{StepSample{&sample, 0.5, weight, 1.0}}}); }
@@ -70,9 +70,9 @@ class WearDeposit {
     double journal_at;  // [rad]
   };
   [[nodiscard]] Place find_place(const StepSample& at) const noexcept;
-  void lay_points(std::span<const StepSample> places, const Amounts& worn) noexcept;
-  void lay_path(std::span<const StepSample> places, const Amounts& worn) noexcept;
-  void lay_turning_path(std::span<const StepSample> samples, const Amounts& worn) noexcept;
+  void distribute_points(std::span<const StepSample> places, const Amounts& worn) noexcept;
+  void distribute_path(std::span<const StepSample> places, const Amounts& worn) noexcept;
+  void distribute_turning_path(std::span<const StepSample> samples, const Amounts& worn) noexcept;
   [[nodiscard]] static Place interpolate(std::span<const Place> places, double node) noexcept;
   [[nodiscard]] double find_turning_factor(std::span<const StepSample> samples,
                                            std::span<const StepSample> known) const noexcept;
@@ -80,11 +80,11 @@ class WearDeposit {
                                                            std::span<Place> places) const noexcept;
   [[nodiscard]] static Place find_way(std::span<const Place> places, int way) noexcept;
   [[nodiscard]] static double sum_ways(std::span<const Place> places) noexcept;
-  void lay_at(const Place& place, const Amounts& amounts) noexcept;
+  void distribute_at(const Place& place, const Amounts& amounts) noexcept;
   [[nodiscard]] double find_movement(const Place& from, const Place& to) const noexcept;
-  void lay_between(const Place& from, const Place& to, const Amounts& amounts) noexcept;
-  void lay(std::initializer_list<ArcAccumulator::Layer> layers, double angle, double width, double turn,
-           double end_width) const noexcept;
+  void distribute_between(const Place& from, const Place& to, const Amounts& amounts) noexcept;
+  void distribute(std::initializer_list<ArcAccumulator::Increment> increments, double angle, double width, double turn,
+                  double end_width) const noexcept;
   [[nodiscard]] double find_side_angle(double position, double width) const noexcept;
   [[nodiscard]] double find_finest_length() const noexcept;
 

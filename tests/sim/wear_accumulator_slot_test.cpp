@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "gudgeon/sim/tsitouras.h"
-#include "gudgeon/sim/wear_deposit.h"
+#include "gudgeon/sim/wear_accumulator.h"
 #include "tests/sim/worn_contact.h"
 
 namespace gudgeon {
@@ -39,14 +39,14 @@ TEST(SlotWear, ConstantLoadDraggedAlongASideWearsEvenly) {
   for (const PressureDistribution pressure : {PressureDistribution::uniform, PressureDistribution::parabolic}) {
     std::vector<Contact> sides{make_slot_contact(0), make_slot_contact(1)};
     for (Contact& contact : sides) contact.pressure = pressure;
-    WearDeposit deposit(sides, WearDistribution::spread, 60);
+    WearAccumulator accumulator(sides, WearDistribution::spread, 60);
     constexpr double kSlide = 0.02e-3;  // [m], many to the contact of 0.27 mm, an integer number to a cell of 10 mm
     constexpr int kSlides = 20000;      // from -200 to 200 mm
     for (int k = 0; k < kSlides; ++k) {
       const ContactSample sample = make_slot_sample(1, -0.2 + (k + 0.5) * kSlide);
-      deposit.add(sample, kSlide / std::abs(sample.slip_speed));
+      accumulator.add(sample, kSlide / std::abs(sample.slip_speed));
     }
-    const JointWear wear = deposit.summarize("slot");
+    const JointWear wear = accumulator.summarize("slot");
     EXPECT_EQ(wear.slot_length, 0.6);
     EXPECT_TRUE(std::isinf(wear.bearing_radius));
     ASSERT_EQ(wear.bearing_depth_added.size(), 120U);
@@ -56,7 +56,7 @@ TEST(SlotWear, ConstantLoadDraggedAlongASideWearsEvenly) {
       if (cell < 60) {
         EXPECT_EQ(share, 0.0) << "the left side";
       } else if (cell > 60 + 10 && cell < 60 + 49) {
-        EXPECT_NEAR(share, 1.0, 1e-10) << cell;  // sums of some 20000 deposits
+        EXPECT_NEAR(share, 1.0, 1e-10) << cell;  // sums of some 20000 increments
       } else {
         EXPECT_LE(share, 1.0 + 1e-10);
       }
@@ -77,7 +77,7 @@ TEST(SlotWear, LongStepsWearAsEvenlyAsShortOnes) {
     for (const int n_cells : {60, 6000, 100000}) {
       std::vector<Contact> sides{make_slot_contact(0), make_slot_contact(1)};
       for (Contact& contact : sides) contact.pressure = pressure;
-      WearDeposit deposit(sides, WearDistribution::spread, n_cells);
+      WearAccumulator accumulator(sides, WearDistribution::spread, n_cells);
       constexpr int kSteps = 400;
       constexpr double kStroke = 0.2;
       const auto find_position = [&](double t) { return -kStroke * std::cos(t); };
@@ -88,13 +88,13 @@ TEST(SlotWear, LongStepsWearAsEvenlyAsShortOnes) {
           samples.push_back(make_slot_sample(1, find_position((k + node) * h)));
           samples.back().slip_speed = kStroke * std::sin((k + node) * h);
         }
-        std::vector<WearDeposit::StepSample> step;
+        std::vector<WearAccumulator::StepSample> step;
         for (int s = 0; s < Tsitouras::kStages; ++s) {
           step.push_back({&samples[s], Tsitouras::kNodes[s], Tsitouras::kWeights[s] * h, Tsitouras::kShares[s]});
         }
-        deposit.add(step);
+        accumulator.add(step);
       }
-      const JointWear wear = deposit.summarize("slot");
+      const JointWear wear = accumulator.summarize("slot");
       const double expected = 2.0 * 0.75 * kCoefficient * 640.0 / 20e-3;
       const double cell = 0.6 / n_cells;
       for (int k = 0; k < n_cells; ++k) {
@@ -109,13 +109,13 @@ TEST(SlotWear, LongStepsWearAsEvenlyAsShortOnes) {
 
 TEST(SlotWear, WearsTheLastCellsAtAnEndAndLosesNothing) {
   std::vector<Contact> sides{make_slot_contact(0), make_slot_contact(1)};
-  WearDeposit deposit(sides, WearDistribution::spread, 6000);
-  for (const double end : {-0.3, 0.3}) deposit.add(make_slot_sample(0, end), 1.0);
-  const JointWear wear = deposit.summarize("slot");
+  WearAccumulator accumulator(sides, WearDistribution::spread, 6000);
+  for (const double end : {-0.3, 0.3}) accumulator.add(make_slot_sample(0, end), 1.0);
+  const JointWear wear = accumulator.summarize("slot");
   EXPECT_NEAR(wear.removed_volume / wear.archard_volume, 1.0, 1e-10);
   EXPECT_GT(wear.bearing_depth_added.front(), 0.0);
   // One end at a time: nothing of it comes back at the other.
-  WearDeposit rear(sides, WearDistribution::spread, 6000);
+  WearAccumulator rear(sides, WearDistribution::spread, 6000);
   rear.add(make_slot_sample(0, -0.3), 1.0);
   const JointWear one = rear.summarize("slot");
   EXPECT_NEAR(one.bearing_depth_added[5999], 0.0, 1e-12 * one.bearing_depth_added.front());
@@ -130,12 +130,12 @@ TEST(SlotWear, EachCornerWearsWhereItFacesItsSide) {
     corners.push_back(make_slot_contact(corner / 2));
     corners.back().journal_surface = corner;
   }
-  WearDeposit deposit(corners, WearDistribution::point, 360);
+  WearAccumulator accumulator(corners, WearDistribution::point, 360);
   ContactSample sample = make_slot_sample(1, 0.1);
   sample.journal_surface = 2;
   sample.journal_angle = 0.3;
-  deposit.add(sample, 1.0);
-  const JointWear wear = deposit.summarize("slot");
+  accumulator.add(sample, 1.0);
+  const JointWear wear = accumulator.summarize("slot");
   ASSERT_EQ(wear.journal_depth_added.size(), 4U * 360U);
   const auto deepest = std::ranges::max_element(wear.journal_depth_added) - wear.journal_depth_added.begin();
   const double angle = std::remainder(1.2 - std::numbers::pi - 0.3, 2.0 * std::numbers::pi) + 2.0 * std::numbers::pi;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Pressure, laws, and the two rules of distribution.
-#include "gudgeon/sim/wear_deposit.h"
+#include "gudgeon/sim/wear_accumulator.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,7 @@ constexpr double kLeastPenetration = 1e-12;
 constexpr double kSoftEdge = 0.1;
 
 // Depths are told no finer than this share of the contact's mean length: shorter waves come from the steps that it was
-// laid down in, not from the motion.
+// distributed in, not from the motion.
 constexpr double kFinest = 0.1;
 
 // A contact that moves and grows by less than this share of its length within a step does so evenly.
@@ -42,12 +42,12 @@ double find_intensity(const ContactSample& sample) noexcept {
   return sample.normal_force * std::abs(sample.slip_speed);
 }
 
-double find_place_intensity(const WearDeposit::StepSample& at) noexcept {
+double find_place_intensity(const WearAccumulator::StepSample& at) noexcept {
   return at.contact->normal_force > 0.0 ? find_intensity(*at.contact) : 0.0;
 }
 
 // Whether a contact that presses throughout slides one way first, then the other.
-bool turns_back(std::span<const WearDeposit::StepSample> places) noexcept {
+bool turns_back(std::span<const WearAccumulator::StepSample> places) noexcept {
   const double first = places.front().contact->slip_speed;
   return std::ranges::all_of(places, [](const auto& at) { return at.contact->normal_force > 0.0; }) &&
          std::ranges::any_of(places, [&](const auto& at) { return at.contact->slip_speed * first < 0.0; });
@@ -64,11 +64,11 @@ double find_wear_rate(const AnyWear& any, const WearContact& contact) noexcept {
 }
 
 // Surface after surface; of a round one the last cell is beside the first.
-std::vector<double> find_accelerated(const std::vector<ArcAccumulator>& deposits, double wear_acceleration,
+std::vector<double> find_accelerated(const std::vector<ArcAccumulator>& accumulators, double wear_acceleration,
                                      double finest, bool is_round) {
   std::vector<double> depths;
-  for (const ArcAccumulator& deposit : deposits) {
-    std::vector<double> surface = deposit.sum();
+  for (const ArcAccumulator& accumulator : accumulators) {
+    std::vector<double> surface = accumulator.sum();
     smooth_by_moving_means(surface, finest * static_cast<double>(surface.size()), is_round);
     for (const double depth : surface) depths.push_back(depth * wear_acceleration);
   }
@@ -92,8 +92,8 @@ void copy_depths(const Profile& profile, int surface, std::size_t n, std::vector
 
 }  // namespace
 
-WearDeposit::WearDeposit(std::span<const Contact> contacts, WearDistribution distribution, int n_cells,
-                         double wear_acceleration)
+WearAccumulator::WearAccumulator(std::span<const Contact> contacts, WearDistribution distribution, int n_cells,
+                                 double wear_acceleration)
     : contacts_(contacts), distribution_(distribution), wear_acceleration_(wear_acceleration) {
   if (const auto* slot = std::get_if<GuideSurfaces>(&contacts.front().surfaces)) {
     slot_length_ = 2.0 * slot->half_length;
@@ -112,7 +112,7 @@ WearDeposit::WearDeposit(std::span<const Contact> contacts, WearDistribution dis
   total_ = bearing_;
 }
 
-void WearDeposit::add(std::span<const StepSample> samples) noexcept {
+void WearAccumulator::add(std::span<const StepSample> samples) noexcept {
   const auto presses = [](const StepSample& at) { return at.contact->normal_force > 0.0; };
   double slip = 0.0;
   double impulse = 0.0;
@@ -150,22 +150,22 @@ void WearDeposit::add(std::span<const StepSample> samples) noexcept {
   sliding_distance_ += slip;
   volume_ += (worn.bearing + worn.journal) * contacts_.front().width;
   if (!is_placed) {
-    lay_at(find_place(*last), worn);
+    distribute_at(find_place(*last), worn);
   } else if (distribution_ == WearDistribution::point) {
-    lay_points(known, worn);
+    distribute_points(known, worn);
   } else {
-    lay_path(known, worn);
+    distribute_path(known, worn);
   }
 }
 
-double WearDeposit::find_length(const ContactSample& sample) const noexcept {
+double WearAccumulator::find_length(const ContactSample& sample) const noexcept {
   const double penetration = std::max(sample.penetration, kLeastPenetration);
   return slot_length_ > 0.0 ? find_flat_contact_length(penetration, sample.journal_radius)
                             : find_contact_arc(penetration, sample.bearing_radius, sample.journal_radius).length;
 }
 
 // [m^2/s] after a distance slid in this stage.
-WearDeposit::Amounts WearDeposit::find_rates(const ContactSample& sample, double distance) const noexcept {
+WearAccumulator::Amounts WearAccumulator::find_rates(const ContactSample& sample, double distance) const noexcept {
   const Contact& contact = contacts_.front();  // its laws and width are those of all
   WearContact wear{sample.normal_force / contact.width, std::abs(sample.slip_speed),
                    std::abs(sample.friction_force) / sample.normal_force, sample.bearing_depth,
@@ -176,7 +176,7 @@ WearDeposit::Amounts WearDeposit::find_rates(const ContactSample& sample, double
 }
 
 // As angles of the unworn radii, so that depth times circumference is the volume removed.
-WearDeposit::Place WearDeposit::find_place(const StepSample& at) const noexcept {
+WearAccumulator::Place WearAccumulator::find_place(const StepSample& at) const noexcept {
   const ContactSample& sample = *at.contact;
   const double length = find_length(sample);
   const double direction = std::atan2(sample.normal.y, sample.normal.x);
@@ -186,7 +186,7 @@ WearDeposit::Place WearDeposit::find_place(const StepSample& at) const noexcept 
 }
 
 // Lagrange's polynomials; the intensity is that of the slip and of the force, each by its own.
-WearDeposit::Place WearDeposit::interpolate(std::span<const Place> places, double node) noexcept {
+WearAccumulator::Place WearAccumulator::interpolate(std::span<const Place> places, double node) noexcept {
   Place at = places.front();
   at.node = node;
   at.length = at.bearing_at = at.journal_at = 0.0;
@@ -208,24 +208,24 @@ WearDeposit::Place WearDeposit::interpolate(std::span<const Place> places, doubl
   return at;
 }
 
-void WearDeposit::lay_points(std::span<const StepSample> places, const Amounts& worn) noexcept {
+void WearAccumulator::distribute_points(std::span<const StepSample> places, const Amounts& worn) noexcept {
   double whole = 0.0;
   for (const StepSample& at : places) whole += at.share * find_place_intensity(at);
   for (const StepSample& at : places) {
     // Where only a stage without a share presses, it is the place.
     const double intensity = find_place_intensity(at);
     const double part = whole > 0.0 ? at.share * intensity / whole : intensity > 0.0 ? 1.0 : 0.0;
-    if (part > 0.0) lay_at(find_place(at), {part * worn.bearing, part * worn.journal});
+    if (part > 0.0) distribute_at(find_place(at), {part * worn.bearing, part * worn.journal});
   }
 }
 
 // From place to place, in parts as the trapezoidal rule has them; those between which the contact hardly moves or grows
 // at once.
-void WearDeposit::lay_path(std::span<const StepSample> places, const Amounts& worn) noexcept {
+void WearAccumulator::distribute_path(std::span<const StepSample> places, const Amounts& worn) noexcept {
   Place from = find_place(places.front());
   const Place end = find_place(places.back());
   if (places.size() == 1) {
-    lay_at(end, worn);
+    distribute_at(end, worn);
     return;
   }
   // A contact that begins with the step begins as a point.
@@ -238,12 +238,12 @@ void WearDeposit::lay_path(std::span<const StepSample> places, const Amounts& wo
       way += find_movement(find_place(places[k - 1]), find_place(places[k]));
     }
     if (way > kHardly * (from.length + end.length)) {
-      lay_turning_path(places, worn);
+      distribute_turning_path(places, worn);
       return;
     }
   }
   if (find_movement(from, end) < kHardly * (from.length + end.length)) {
-    lay_between(from, end, worn);
+    distribute_between(from, end, worn);
     return;
   }
   const auto find_part = [](double duration, double a, double b) { return duration * (a + b); };
@@ -256,7 +256,7 @@ void WearDeposit::lay_path(std::span<const StepSample> places, const Amounts& wo
     node = at.node;
     intensity = next;
   }
-  double part = 0.0;  // since `from`, where the contact was laid down last
+  double part = 0.0;  // since `from`, up to which the wear is distributed
   double before = from.intensity;
   double since = from.node;
   for (const StepSample& at : places.subspan(begins ? 0 : 1)) {
@@ -265,7 +265,7 @@ void WearDeposit::lay_path(std::span<const StepSample> places, const Amounts& wo
     since = to.node;
     before = to.intensity;
     if (&at != &places.back() && find_movement(from, to) < kHardly * (from.length + to.length)) continue;
-    if (part > 0.0) lay_between(from, to, {part * worn.bearing, part * worn.journal});
+    if (part > 0.0) distribute_between(from, to, {part * worn.bearing, part * worn.journal});
     from = to;
     part = 0.0;
   }
@@ -273,7 +273,7 @@ void WearDeposit::lay_path(std::span<const StepSample> places, const Amounts& wo
 
 // The same where the contact turns back within the step, beyond all of its places perhaps: along the polynomial through
 // them, in many short ways.
-void WearDeposit::lay_turning_path(std::span<const StepSample> samples, const Amounts& worn) noexcept {
+void WearAccumulator::distribute_turning_path(std::span<const StepSample> samples, const Amounts& worn) noexcept {
   std::array<Place, kMostPlaces> memory{};
   const std::span<const Place> places = find_turning_places(samples, memory);
   const double whole = sum_ways(places);
@@ -281,15 +281,15 @@ void WearDeposit::lay_turning_path(std::span<const StepSample> samples, const Am
   for (int way = 1; way <= kWays; ++way) {
     const Place to = find_way(places, way);
     const double part = whole > 0.0 ? 0.5 * (from.intensity + to.intensity) / (kWays * whole) : 1.0 / kWays;
-    if (part > 0.0) lay_between(from, to, {part * worn.bearing, part * worn.journal});
+    if (part > 0.0) distribute_between(from, to, {part * worn.bearing, part * worn.journal});
     from = to;
   }
 }
 
 // What the rule of the step, which is meant for smooth integrands, makes of F |v| where v changes its sign, is replaced
 // by the integral over the polynomials.
-double WearDeposit::find_turning_factor(std::span<const StepSample> samples,
-                                        std::span<const StepSample> known) const noexcept {
+double WearAccumulator::find_turning_factor(std::span<const StepSample> samples,
+                                            std::span<const StepSample> known) const noexcept {
   std::array<Place, kMostPlaces> memory{};
   const std::span<const Place> places = find_turning_places(known, memory);
   double duration = 0.0;
@@ -303,8 +303,8 @@ double WearDeposit::find_turning_factor(std::span<const StepSample> samples,
   return factor > 0.5 && factor < 2.0 ? factor : 1.0;
 }
 
-std::span<const WearDeposit::Place> WearDeposit::find_turning_places(std::span<const StepSample> samples,
-                                                                     std::span<Place> places) const noexcept {
+std::span<const WearAccumulator::Place> WearAccumulator::find_turning_places(std::span<const StepSample> samples,
+                                                                             std::span<Place> places) const noexcept {
   for (std::size_t k = 0; k < samples.size(); ++k) {
     places[k] = find_place(samples[k]);
     // Not from turn to turn of an angle.
@@ -315,13 +315,13 @@ std::span<const WearDeposit::Place> WearDeposit::find_turning_places(std::span<c
   return places.first(samples.size());
 }
 
-WearDeposit::Place WearDeposit::find_way(std::span<const Place> places, int way) noexcept {
+WearAccumulator::Place WearAccumulator::find_way(std::span<const Place> places, int way) noexcept {
   const double first = places.front().node;
   return interpolate(places, first + (places.back().node - first) * way / kWays);
 }
 
 // Mean intensity over the step [W].
-double WearDeposit::sum_ways(std::span<const Place> places) noexcept {
+double WearAccumulator::sum_ways(std::span<const Place> places) noexcept {
   double sum = 0.0;
   for (int way = 0; way <= kWays; ++way) {
     sum += (way == 0 || way == kWays ? 0.5 : 1.0) * find_way(places, way).intensity;
@@ -330,16 +330,18 @@ double WearDeposit::sum_ways(std::span<const Place> places) noexcept {
 }
 
 // How far [m] the contact moves and grows on the surface where it does so more.
-double WearDeposit::find_movement(const Place& from, const Place& to) const noexcept {
+double WearAccumulator::find_movement(const Place& from, const Place& to) const noexcept {
   const double along_bearing = std::abs(find_turn(to.bearing_at - from.bearing_at, slot_length_ == 0.0));
   const double along_journal = std::abs(find_turn(to.journal_at - from.journal_at, true));
   return std::max(along_bearing * bearing_radius_, along_journal * journal_radius_) + std::abs(to.length - from.length);
 }
 
-void WearDeposit::lay_at(const Place& place, const Amounts& amounts) noexcept { lay_between(place, place, amounts); }
+void WearAccumulator::distribute_at(const Place& place, const Amounts& amounts) noexcept {
+  distribute_between(place, place, amounts);
+}
 
 // Over what the contact covers on its way, whose mean length the amounts are spread over.
-void WearDeposit::lay_between(const Place& from, const Place& to, const Amounts& amounts) noexcept {
+void WearAccumulator::distribute_between(const Place& from, const Place& to, const Amounts& amounts) noexcept {
   const double length = 0.5 * (from.length + to.length);
   length_sum_ += length * (amounts.bearing + amounts.journal);
   const double bearing_depth = amounts.bearing / length;
@@ -347,22 +349,22 @@ void WearDeposit::lay_between(const Place& from, const Place& to, const Amounts&
   const double bearing_move = to.bearing_at - from.bearing_at;
   const auto bearing = static_cast<std::size_t>(to.sample->bearing_surface);
   const auto journal = static_cast<std::size_t>(to.sample->journal_surface);
-  lay({{&bearing_[bearing], bearing_depth}, {&total_[bearing], bearing_depth + journal_depth}}, from.bearing_at,
-      from.length / bearing_radius_, find_turn(bearing_move, slot_length_ == 0.0), to.length / bearing_radius_);
-  lay({{&journal_[journal], journal_depth}}, from.journal_at, from.length / journal_radius_,
-      find_turn(to.journal_at - from.journal_at, true), to.length / journal_radius_);
+  distribute({{&bearing_[bearing], bearing_depth}, {&total_[bearing], bearing_depth + journal_depth}}, from.bearing_at,
+             from.length / bearing_radius_, find_turn(bearing_move, slot_length_ == 0.0), to.length / bearing_radius_);
+  distribute({{&journal_[journal], journal_depth}}, from.journal_at, from.length / journal_radius_,
+             find_turn(to.journal_at - from.journal_at, true), to.length / journal_radius_);
 }
 
 // On all that are given, at the same place: the mean depth [m] over the arc.
-void WearDeposit::lay(std::initializer_list<ArcAccumulator::Layer> layers, double angle, double width, double turn,
-                      double end_width) const noexcept {
+void WearAccumulator::distribute(std::initializer_list<ArcAccumulator::Increment> increments, double angle,
+                                 double width, double turn, double end_width) const noexcept {
   const bool parabolic = contacts_.front().pressure == PressureDistribution::parabolic;
   if (distribution_ == WearDistribution::spread && !parabolic) {
-    const ArcAccumulator& any = *layers.begin()->surface;
-    ArcAccumulator::add_sweep(any.find_sweep(angle, width, turn, end_width, kSoftEdge), layers);
+    const ArcAccumulator& any = *increments.begin()->surface;
+    ArcAccumulator::add_sweep(any.find_sweep(angle, width, turn, end_width, kSoftEdge), increments);
     return;
   }
-  for (const auto& [surface, mean_depth] : layers) {
+  for (const auto& [surface, mean_depth] : increments) {
     if (distribution_ == WearDistribution::point) {
       surface->add_point(angle, parabolic ? kParabolaPeak * mean_depth : mean_depth);
     } else {
@@ -372,20 +374,20 @@ void WearDeposit::lay(std::initializer_list<ArcAccumulator::Layer> layers, doubl
 }
 
 // Where the middle of a contact on a side is, so that none of it lies past the ends of the slot.
-double WearDeposit::find_side_angle(double position, double width) const noexcept {
+double WearAccumulator::find_side_angle(double position, double width) const noexcept {
   const double at = (position + 0.5 * slot_length_) / bearing_radius_;
   const double margin = std::min(0.5 * (1.0 + kSoftEdge) * width, std::numbers::pi);
   return std::clamp(at, margin, 2.0 * std::numbers::pi - margin);
 }
 
 // What the surfaces tell apart [m].
-double WearDeposit::find_finest_length() const noexcept {
+double WearAccumulator::find_finest_length() const noexcept {
   const double worn = volume_ / contacts_.front().width;
   const bool parabolic = contacts_.front().pressure == PressureDistribution::parabolic;
   return distribution_ == WearDistribution::spread && !parabolic && worn > 0.0 ? kFinest * length_sum_ / worn : 0.0;
 }
 
-JointWear WearDeposit::summarize(const std::string& joint) const {
+JointWear WearAccumulator::summarize(const std::string& joint) const {
   JointWear wear;
   wear.joint = joint;
   wear.bearing_radius = slot_length_ > 0.0 ? std::numeric_limits<double>::infinity() : bearing_radius_;

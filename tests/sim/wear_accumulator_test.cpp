@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wear laid down under constant load, against the closed form, and the volume of both rules.
-#include "gudgeon/sim/wear_deposit.h"
+// Wear distributed under constant load, against the closed form, and the volume of both rules.
+#include "gudgeon/sim/wear_accumulator.h"
 
 #include <gtest/gtest.h>
 
@@ -29,10 +29,11 @@ class Cells : public testing::TestWithParam<std::tuple<int, PressureDistribution
 TEST_P(Cells, ConstantLoadWearsEvenly) {
   Contact contact = make_worn_contact();
   contact.pressure = pressure();
-  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, n_cells());
+  WearAccumulator accumulator(std::span(&contact, 1), WearDistribution::spread, n_cells());
   const int n_steps = 2 * n_cells();  // so that arcs begin at every cell's edges alike
-  for (int k = 0; k < n_steps; ++k) deposit.add(make_worn_sample(2.0 * std::numbers::pi * k / n_steps), 1.0 / n_steps);
-  const JointWear wear = deposit.summarize("J");
+  for (int k = 0; k < n_steps; ++k)
+    accumulator.add(make_worn_sample(2.0 * std::numbers::pi * k / n_steps), 1.0 / n_steps);
+  const JointWear wear = accumulator.summarize("J");
   const double expected = 0.75 * kCoefficient * 640.0 * 0.31 / (2.0 * std::numbers::pi * 15e-3 * 20e-3);
   for (const double depth : wear.bearing_depth_added) EXPECT_NEAR(depth / expected, 1.0, 1e-9);
   EXPECT_NEAR(wear.sliding_distance, 0.31, 1e-12);
@@ -44,15 +45,15 @@ TEST_P(Cells, ConstantLoadWearsEvenly) {
 TEST_P(Cells, SpreadConservesVolume) {
   Contact contact = make_worn_contact();
   contact.pressure = pressure();
-  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, n_cells(), 20000.0);
+  WearAccumulator accumulator(std::span(&contact, 1), WearDistribution::spread, n_cells(), 20000.0);
   for (int k = 0; k < 500; ++k) {
     ContactSample sample = make_worn_sample(0.37 * k * k);
     sample.bearing_angle = 0.9 * k;
     sample.journal_angle = -1.7 * k;
     sample.penetration *= 1.0 + k % 7;
-    deposit.add(sample, 1e-3);
+    accumulator.add(sample, 1e-3);
   }
-  const JointWear wear = deposit.summarize("J");
+  const JointWear wear = accumulator.summarize("J");
   const double archard = kCoefficient * 640.0 * 0.31 * 0.5 * 20000.0;
   EXPECT_NEAR(wear.archard_volume / archard, 1.0, 1e-12);
   EXPECT_NEAR(wear.removed_volume / archard, 1.0, 1e-11);  // sums of thousands of parts
@@ -69,9 +70,9 @@ TEST(ParabolicPressure, WearsAStillArcDeeperAtItsMiddle) {
   Contact parabolic = uniform;
   parabolic.pressure = PressureDistribution::parabolic;
   for (const WearDistribution distribution : {WearDistribution::spread, WearDistribution::point}) {
-    WearDeposit a(std::span(&uniform, 1), distribution, 40000);
-    WearDeposit b(std::span(&parabolic, 1), distribution, 40000);
-    for (WearDeposit* deposit : {&a, &b}) deposit->add(make_worn_sample(1.0), 1.0);
+    WearAccumulator a(std::span(&uniform, 1), distribution, 40000);
+    WearAccumulator b(std::span(&parabolic, 1), distribution, 40000);
+    for (WearAccumulator* accumulator : {&a, &b}) accumulator->add(make_worn_sample(1.0), 1.0);
     const JointWear flat = a.summarize("J");
     const JointWear round = b.summarize("J");
     const double ratio = std::ranges::max(round.bearing_depth_added) / std::ranges::max(flat.bearing_depth_added);
@@ -84,25 +85,25 @@ TEST(ParabolicPressure, WearsAStillArcDeeperAtItsMiddle) {
 }
 
 // The volume is k_e times the work of friction.
-TEST(WearDeposit, EnergyWearFollowsTheWorkOfFriction) {
+TEST(WearAccumulator, EnergyWearFollowsTheWorkOfFriction) {
   Contact contact = make_worn_contact();
   contact.bearing_wear = EnergyWear{3e-13};
   contact.journal_wear = EnergyWear{1e-13};
-  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 1000);
+  WearAccumulator accumulator(std::span(&contact, 1), WearDistribution::spread, 1000);
   double work = 0.0;
   for (int k = 0; k < 200; ++k) {
     ContactSample sample = make_worn_sample(0.1 * k);
     sample.slip_speed = std::sin(0.3 * k);
     sample.friction_force = 0.2 * sample.normal_force * std::tanh(20.0 * sample.slip_speed);
-    deposit.add(sample, 1e-3);
+    accumulator.add(sample, 1e-3);
     work += 1e-3 * sample.friction_force * sample.slip_speed;
   }
-  EXPECT_NEAR(deposit.summarize("J").removed_volume / (4e-13 * work), 1.0, 1e-11);
+  EXPECT_NEAR(accumulator.summarize("J").removed_volume / (4e-13 * work), 1.0, 1e-11);
 }
 
 // At constant load the volume is F [k_∞ s + (k₀ − k_∞) s_r (1 − exp(−s/s_r))]; the distance counts times the wear
 // acceleration, and goes on where the stages before left it.
-TEST(WearDeposit, RunsInOverTheAcceleratedDistance) {
+TEST(WearAccumulator, RunsInOverTheAcceleratedDistance) {
   constexpr double kWearAcceleration = 500.0;
   Contact contact = make_worn_contact();
   contact.bearing_wear = RunningInDistance{9e-14, 4e-14, 60.0};
@@ -111,9 +112,9 @@ TEST(WearDeposit, RunsInOverTheAcceleratedDistance) {
   double slid = 0.0;
   for (int stage = 0; stage < 3; ++stage) {
     contact.sliding_distance = slid;
-    WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 100, kWearAcceleration);
-    for (int k = 0; k < 1000; ++k) deposit.add(make_worn_sample(0.01 * k), 1e-4);
-    const JointWear wear = deposit.summarize("J");
+    WearAccumulator accumulator(std::span(&contact, 1), WearDistribution::spread, 100, kWearAcceleration);
+    for (int k = 0; k < 1000; ++k) accumulator.add(make_worn_sample(0.01 * k), 1e-4);
+    const JointWear wear = accumulator.summarize("J");
     const double after = slid + kWearAcceleration * wear.sliding_distance;
     EXPECT_NEAR(wear.sliding_distance, 0.031, 1e-14) << "the record's is not accelerated";
     // A midpoint rule: steps of 2.6e-4 s_r are off by their square over 24.
@@ -123,8 +124,8 @@ TEST(WearDeposit, RunsInOverTheAcceleratedDistance) {
 }
 
 // What the explicit pair sees of a contact that slides over a step, its direction turning at a constant rate.
-std::vector<WearDeposit::StepSample> make_step(const std::vector<ContactSample>& contacts, double h) {
-  std::vector<WearDeposit::StepSample> step;
+std::vector<WearAccumulator::StepSample> make_step(const std::vector<ContactSample>& contacts, double h) {
+  std::vector<WearAccumulator::StepSample> step;
   for (int s = 0; s < Tsitouras::kStages; ++s) {
     step.push_back({&contacts[s], Tsitouras::kNodes[s], Tsitouras::kWeights[s] * h, Tsitouras::kShares[s]});
   }
@@ -139,29 +140,29 @@ std::vector<ContactSample> make_turning_samples(double from, double by) {
 
 // The law is asked at the distance slid by each stage's time, not by what its weights add up to: steps of 0.3 s_r are
 // still right to what a rule of fifth order makes of an exponential.
-TEST(WearDeposit, RunsInOverTheDistanceWithinAStep) {
+TEST(WearAccumulator, RunsInOverTheDistanceWithinAStep) {
   constexpr double kRunIn = 1.0;
   Contact contact = make_worn_contact();
   contact.bearing_wear = RunningInDistance{9e-14, 0.0, kRunIn};
   contact.journal_wear = NoWear{};
-  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 100);
+  WearAccumulator accumulator(std::span(&contact, 1), WearDistribution::spread, 100);
   const std::vector<ContactSample> contacts = make_turning_samples(0.3, 0.1);
-  deposit.add(make_step(contacts, 0.3 * kRunIn / 0.31));
+  accumulator.add(make_step(contacts, 0.3 * kRunIn / 0.31));
   const double exact = 640.0 * 9e-14 * kRunIn * (1.0 - std::exp(-0.3));
-  EXPECT_NEAR(deposit.summarize("J").removed_volume / exact, 1.0, 1e-5);
+  EXPECT_NEAR(accumulator.summarize("J").removed_volume / exact, 1.0, 1e-5);
 }
 
 // Negative weights say how much, not where: no cell is given less than nothing, and the volume is k_d F s.
-TEST(WearDeposit, LaysNothingNegativeDown) {
+TEST(WearAccumulator, DistributesNothingNegative) {
   const Contact contact = make_worn_contact();
-  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 1000);
+  WearAccumulator accumulator(std::span(&contact, 1), WearDistribution::spread, 1000);
   constexpr double kDuration = 0.01;
   for (int k = 0; k < 20; ++k) {
     std::vector<ContactSample> contacts = make_turning_samples(0.12 * k, 0.12);
     for (int s = 0; s < Tsitouras::kStages; ++s) contacts[s].penetration *= 1.0 + 0.5 * Tsitouras::kNodes[s];
-    deposit.add(make_step(contacts, kDuration));
+    accumulator.add(make_step(contacts, kDuration));
   }
-  const JointWear wear = deposit.summarize("J");
+  const JointWear wear = accumulator.summarize("J");
   for (const auto* depths : {&wear.bearing_depth_added, &wear.journal_depth_added, &wear.total_depth_added}) {
     // 1e-18 m: rounding of sums of depths of 1e-11 m over a circumference.
     for (const double depth : *depths) EXPECT_GE(depth, -1e-18);
@@ -171,27 +172,27 @@ TEST(WearDeposit, LaysNothingNegativeDown) {
 }
 
 // Where no other stage presses, the one that does tells the place.
-TEST(WearDeposit, FindsAPlaceForAContactThatEnds) {
+TEST(WearAccumulator, FindsAPlaceForAContactThatEnds) {
   const Contact contact = make_worn_contact();
-  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 1000);
+  WearAccumulator accumulator(std::span(&contact, 1), WearDistribution::spread, 1000);
   std::vector<ContactSample> contacts = make_turning_samples(0.0, 0.12);
   for (const int s : {2, 3, 4, 5, 6}) contacts[s].normal_force = 0.0;
-  deposit.add(make_step(contacts, 0.01));
-  const JointWear wear = deposit.summarize("J");
+  accumulator.add(make_step(contacts, 0.01));
+  const JointWear wear = accumulator.summarize("J");
   EXPECT_GT(wear.removed_volume, 0.0);
   EXPECT_NEAR(wear.removed_volume / wear.archard_volume, 1.0, 1e-11);
 }
 
 // The depth before the stage counts, that of the surface it wears.
-TEST(WearDeposit, RunsInOverTheDepthOfEachSurface) {
+TEST(WearAccumulator, RunsInOverTheDepthOfEachSurface) {
   Contact contact = make_worn_contact();
   contact.bearing_wear = contact.journal_wear = RunningInDepth{9e-14, 4e-14, 2e-6};
-  WearDeposit deposit(std::span(&contact, 1), WearDistribution::point, 100);
+  WearAccumulator accumulator(std::span(&contact, 1), WearDistribution::point, 100);
   ContactSample sample = make_worn_sample(2.0);
   sample.bearing_depth = 2e-6;
   sample.journal_depth = 6e-6;
-  deposit.add(sample, 1.0);
-  const JointWear wear = deposit.summarize("J");
+  accumulator.add(sample, 1.0);
+  const JointWear wear = accumulator.summarize("J");
   const double ratio = std::ranges::max(wear.bearing_depth_added) / std::ranges::max(wear.journal_depth_added);
   EXPECT_NEAR(ratio, (4.0 + 5.0 * std::exp(-1.0)) / (4.0 + 5.0 * std::exp(-3.0)), 1e-14);
 }
@@ -199,9 +200,9 @@ TEST(WearDeposit, RunsInOverTheDepthOfEachSurface) {
 // The paper's rule: the depth of the whole arc into one cell, so that finer cells lose more volume.
 TEST(PointDistribution, GivesOneCellTheWholeDepth) {
   const Contact contact = make_worn_contact();
-  WearDeposit coarse(std::span(&contact, 1), WearDistribution::point, 100);
-  WearDeposit fine(std::span(&contact, 1), WearDistribution::point, 1000);
-  for (WearDeposit* deposit : {&coarse, &fine}) deposit->add(make_worn_sample(1.0), 1.0);
+  WearAccumulator coarse(std::span(&contact, 1), WearDistribution::point, 100);
+  WearAccumulator fine(std::span(&contact, 1), WearDistribution::point, 1000);
+  for (WearAccumulator* accumulator : {&coarse, &fine}) accumulator->add(make_worn_sample(1.0), 1.0);
   const JointWear a = coarse.summarize("J");
   const JointWear b = fine.summarize("J");
   EXPECT_EQ(std::ranges::count_if(a.total_depth_added, [](double h) { return h > 0.0; }), 1);
@@ -211,28 +212,28 @@ TEST(PointDistribution, GivesOneCellTheWholeDepth) {
   EXPECT_NEAR(a.removed_volume / b.removed_volume, 10.0, 1e-12);
 }
 
-TEST(WearDeposit, LiesWhereTheSurfacesAre) {
+TEST(WearAccumulator, LiesWhereTheSurfacesAre) {
   const Contact contact = make_worn_contact();
-  WearDeposit deposit(std::span(&contact, 1), WearDistribution::point, 360);
+  WearAccumulator accumulator(std::span(&contact, 1), WearDistribution::point, 360);
   ContactSample sample = make_worn_sample(2.0);
   sample.bearing_angle = 0.5;
   sample.journal_angle = -1.0;
-  deposit.add(sample, 1.0);
-  const JointWear wear = deposit.summarize("J");
+  accumulator.add(sample, 1.0);
+  const JointWear wear = accumulator.summarize("J");
   const auto degrees = [](double radians) { return static_cast<std::size_t>(radians * 180.0 / std::numbers::pi); };
   EXPECT_GT(wear.bearing_depth_added[degrees(1.5)], 0.0);
   EXPECT_GT(wear.journal_depth_added[degrees(3.0)], 0.0);
   EXPECT_NEAR(wear.bearing_depth_added[degrees(1.5)] / wear.journal_depth_added[degrees(3.0)], 3.0, 1e-12);
 }
 
-TEST(WearDeposit, NothingWithoutForce) {
+TEST(WearAccumulator, NothingWithoutForce) {
   const Contact contact = make_worn_contact();
-  WearDeposit deposit(std::span(&contact, 1), WearDistribution::spread, 100);
+  WearAccumulator accumulator(std::span(&contact, 1), WearDistribution::spread, 100);
   ContactSample sample = make_worn_sample(2.0);
   sample.normal_force = 0.0;
   sample.penetration = -1e-6;
-  deposit.add(sample, 1.0);
-  EXPECT_EQ(deposit.summarize("J").archard_volume, 0.0);
+  accumulator.add(sample, 1.0);
+  EXPECT_EQ(accumulator.summarize("J").archard_volume, 0.0);
 }
 
 }  // namespace
