@@ -49,7 +49,7 @@ Contestant make_engine(const EvalCase& at, const oracle::SameState& state) {
 
 Contestant make_textbook(const EvalCase& at, const oracle::SameState& state, textbook::SaddleSolver::Kind kind) {
   auto form = std::make_shared<textbook::MaximalForm>(at.mechanism, kPaperFeedback, kind);
-  form->latches = state.latches;
+  form->contact_modes = state.contact_modes;
   auto y = std::make_shared<std::vector<double>>(form->make_state(state.assembly.poses));
   auto slope = std::make_shared<std::vector<double>>(form->size());
   return make_contestant(kind == textbook::SaddleSolver::Kind::dense ? "textbook" : "sparse", [=] {
@@ -61,7 +61,7 @@ Contestant make_textbook(const EvalCase& at, const oracle::SameState& state, tex
 
 Contestant make_hand_written(const EvalCase& at, const oracle::SameState& state) {
   using hand_written::NineBar;
-  auto press = std::make_shared<NineBar>(NineBar{state.latches[0], state.latches[1]});
+  auto press = std::make_shared<NineBar>(NineBar{state.contact_modes[0], state.contact_modes[1]});
   auto y = std::make_shared<std::vector<double>>(2 * NineBar::kCoordinates);
   for (int i = 0; i < NineBar::kCoordinates; ++i) {
     const BodyPose& pose = state.assembly.poses[find_body(at.mechanism, NineBar::kBodies[i])];

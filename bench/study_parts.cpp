@@ -204,12 +204,12 @@ void measure_share(int cycles) {
   MotionEquations equations(system, {});
   struct Look {
     double time;
-    std::vector<ContactLatch> latches;
+    std::vector<ContactMode> contact_modes;
     std::vector<double> y;
   };
   std::vector<Look> looks;
   const long evaluations = run_motion(at, [&](MotionIntegrator& motion) {
-    looks.push_back({motion.time(), motion.equations().latches, motion.y()});
+    looks.push_back({motion.time(), motion.equations().contact_modes, motion.y()});
   });
   std::vector<double> slope(equations.size());
   std::vector<Contestant> contestants{make_contestant("run", [&] { run_motion(at, [](const MotionIntegrator&) {}); }),
@@ -217,7 +217,7 @@ void measure_share(int cycles) {
                                          const double start = read_cpu_clock();
                                          for (int i = 0; i < n; ++i) {
                                            for (const Look& look : looks) {
-                                             equations.latches = look.latches;
+                                             equations.contact_modes = look.contact_modes;
                                              equations.eval(look.time, look.y.data(), slope.data());
                                            }
                                          }

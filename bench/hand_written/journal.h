@@ -35,14 +35,14 @@ struct JournalForce {
 inline constexpr double kOnsetSpeedFloor = 1e-3;  // [m/s], the default of ContactProperties
 
 template <class Friction>
-JournalForce find_journal_force(const JournalMotion& motion, const ContactLatch& latch, const JournalContact& contact,
+JournalForce find_journal_force(const JournalMotion& motion, const ContactMode& mode, const JournalContact& contact,
                                 Friction&& friction) noexcept {
-  if (!latch.in_contact) return {};
+  if (!mode.in_contact) return {};
   const double eccentricity = norm(motion.offset);
   const double penetration = eccentricity - contact.clearance;
   if (penetration <= 0.0) return {};
   const Vec2 n = (1.0 / eccentricity) * motion.offset;
-  const double onset_speed = std::max(latch.onset_speed, kOnsetSpeedFloor);
+  const double onset_speed = std::max(mode.onset_speed, kOnsetSpeedFloor);
   const double force = std::max(contact.stiffness * penetration * std::sqrt(penetration) *
                                     (1.0 + contact.damping * dot(n, motion.velocity) / onset_speed),
                                 0.0);

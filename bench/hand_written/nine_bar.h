@@ -18,8 +18,8 @@ class NineBar {
 
   void eval(double t, const double* y, double* slope) const noexcept;
 
-  ContactLatch a;
-  ContactLatch b;
+  ContactMode a;
+  ContactMode b;
 };
 
 }  // namespace gudgeon::hand_written

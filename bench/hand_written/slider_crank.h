@@ -18,7 +18,7 @@ namespace gudgeon::hand_written {
 /// oracle::make_slider_crank_clearance(), with friction μ tanh(v/v_t) when μ is given.
 class SliderCrank {
  public:
-  explicit SliderCrank(double friction_coefficient) : latches(1), friction_(friction_coefficient) {}
+  explicit SliderCrank(double friction_coefficient) : contact_modes(1), friction_(friction_coefficient) {}
 
   [[nodiscard]] std::size_t n_states() const { return 4; }
   [[nodiscard]] std::size_t size() const { return 4; }
@@ -26,7 +26,7 @@ class SliderCrank {
   void eval(double t, const double* y, double* slope) const noexcept {
     const Pin pin = find_pin(t, y);
     const JournalForce at = find_journal_force(
-        {pin.offset, pin.velocity, y[2], 0.0}, latches[0], {kJournalRadius, kClearance, kStiffness, kDamping},
+        {pin.offset, pin.velocity, y[2], 0.0}, contact_modes[0], {kJournalRadius, kClearance, kStiffness, kDamping},
         [this](double slip) { return friction_ == 0.0 ? 0.0 : friction_ * std::tanh(slip / 1e-3); });
     // m (l/2) u⊥·r w² u₁ is what the crank pin's acceleration does.
     const double inertial = 0.5 * kRodMass * kRod * kCrank * kSpeed * kSpeed * cross(pin.rod, pin.crank);
@@ -42,7 +42,7 @@ class SliderCrank {
     gaps[0] = {eccentricity - kClearance, eccentricity > 0.0 ? dot(pin.offset, pin.velocity) / eccentricity : 0.0};
   }
 
-  std::vector<ContactLatch> latches;
+  std::vector<ContactMode> contact_modes;
 
  private:
   struct Pin {

@@ -42,7 +42,11 @@ class EventSearch {
   };
 
   explicit EventSearch(Equations& equations)
-      : equations_(equations), start_(equations.latches.size()), end_(start_), looked_(start_), y_(equations.size()) {}
+      : equations_(equations),
+        start_(equations.contact_modes.size()),
+        end_(start_),
+        looked_(start_),
+        y_(equations.size()) {}
 
   void begin(double t, const double* y) { equations_.find_gaps(t, y, start_); }
 
@@ -60,17 +64,17 @@ class EventSearch {
   /// The step ended as it was looked at.
   void accept() { std::swap(start_, end_); }
 
-  /// Turns the latch of a contact whose change the last step ended at.
+  /// Switches the mode of a contact whose change the last step ended at.
   void turn(std::size_t k) {
-    ContactLatch& latch = equations_.latches[k];
-    latch = latch.in_contact ? ContactLatch{} : ContactLatch{true, start_[k].penetration_rate};
+    ContactMode& mode = equations_.contact_modes[k];
+    mode = mode.in_contact ? ContactMode{} : ContactMode{true, start_[k].penetration_rate};
   }
 
  private:
   // With the sign turned in contact, both changes are a rise of s δ through zero, at first from a hair above or below.
   template <class Interpolate>
   std::optional<double> find_change(std::size_t k, double t0, double t1, Interpolate&& interpolate) {
-    const double sign = equations_.latches[k].in_contact ? -1.0 : 1.0;
+    const double sign = equations_.contact_modes[k].in_contact ? -1.0 : 1.0;
     const auto value = [&](double t) { return sign * look(k, t, interpolate).penetration; };
     const auto rate = [&](double t) { return sign * look(k, t, interpolate).penetration_rate; };
     const double rate_start = sign * start_[k].penetration_rate;

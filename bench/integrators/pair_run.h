@@ -83,7 +83,7 @@ class PairRun {
 
   void turn(std::size_t contact) {
     events_.turn(contact);
-    if (equations_.latches[contact].in_contact) control_.note_onset();
+    if (equations_.contact_modes[contact].in_contact) control_.note_onset();
     eval(time_, y_.data(), slope_.data());
   }
 

@@ -69,7 +69,7 @@ double MaximalForm::find_energy(double /*t*/, const double* y) {
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const ContactPair& pair = pairs_[k];
     const double bristle = pair.contact.bristle >= 0 ? y[2 * n_coordinates() + pair.contact.bristle] : 0.0;
-    energy += find_contact_forces(pair.contact, find_relative_motion(pair), latches[k], bristle).elastic_energy;
+    energy += find_contact_forces(pair.contact, find_relative_motion(pair), contact_modes[k], bristle).elastic_energy;
   }
   return energy;
 }
@@ -161,7 +161,8 @@ void MaximalForm::add_forces(const double* bristles) {
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const ContactPair& pair = pairs_[k];
     const double bristle = pair.contact.bristle >= 0 ? bristles[pair.contact.bristle] : 0.0;
-    const ContactForces forces = find_contact_forces(pair.contact, find_relative_motion(pair), latches[k], bristle);
+    const ContactForces forces =
+        find_contact_forces(pair.contact, find_relative_motion(pair), contact_modes[k], bristle);
     push(pair.journal.body, rotation_[pair.journal.body] * pair.journal.arm, forces.force_on_journal,
          forces.torque_on_journal);
     push(pair.bearing.body, rotation_[pair.bearing.body] * pair.bearing.arm, -forces.force_on_journal,

@@ -63,7 +63,7 @@ class MaximalForm {
   /// Kinetic, potential and elastic energy [J].
   [[nodiscard]] double find_energy(double t, const double* y);
 
-  std::vector<ContactLatch> latches;
+  std::vector<ContactMode> contact_modes;
   std::vector<ContactForces> contact_forces;  ///< of the last evaluation
 
  private:

@@ -47,7 +47,7 @@ MaximalForm::MaximalForm(const Mechanism& mechanism, Feedback feedback, SaddleSo
     const auto [bearing, journal] = anchors(mechanism_.joints[contact.joint].kind);
     pairs_.push_back({contact, resolve(mechanism_, bearing), resolve(mechanism_, journal)});
   }
-  latches.resize(pairs_.size());
+  contact_modes.resize(pairs_.size());
   contact_forces.resize(pairs_.size());
   number_entries(solver);
 }

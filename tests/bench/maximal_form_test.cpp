@@ -40,7 +40,7 @@ void expect_same_slopes(const Mechanism& mechanism, const oracle::SameState& sta
   const std::vector<BodyMotion>& motions = finder.update(engine.equations.workspace);
 
   textbook::MaximalForm form(mechanism, {}, kind);
-  form.latches = state.latches;
+  form.contact_modes = state.contact_modes;
   const std::vector<double> y = form.make_state(state.assembly.poses);
   std::vector<double> slope(form.size());
   form.eval(0.0, y.data(), slope.data());
@@ -65,7 +65,7 @@ TEST(MaximalForm, SlopesAreTheEngines) {
   for (const Mechanism& mechanism : list_constant_mechanisms()) {
     for (const auto kind : {textbook::SaddleSolver::Kind::dense, textbook::SaddleSolver::Kind::sparse}) {
       expect_same_slopes(mechanism, oracle::make_free_start(mechanism), kind);
-      if (!oracle::make_free_start(mechanism).latches.empty()) {
+      if (!oracle::make_free_start(mechanism).contact_modes.empty()) {
         expect_same_slopes(mechanism, oracle::make_pressed_start(mechanism), kind);
       }
     }
@@ -76,7 +76,7 @@ TEST(MaximalForm, EnergyGoesWhereTheSlopesSay) {
   const Mechanism mechanism = oracle::make_nine_bar();
   const oracle::SameState state = oracle::make_pressed_start(mechanism);
   textbook::MaximalForm form(mechanism, {}, textbook::SaddleSolver::Kind::dense);
-  form.latches = state.latches;
+  form.contact_modes = state.contact_modes;
   const std::vector<double> y = form.make_state(state.assembly.poses);
   std::vector<double> slope(form.size());
   form.eval(0.0, y.data(), slope.data());

@@ -21,7 +21,7 @@ void expect_same_press(const oracle::SameState& state) {
   using hand_written::NineBar;
   const Mechanism mechanism = oracle::make_nine_bar();
   oracle::EngineAt engine(mechanism, state);
-  NineBar press{state.latches[0], state.latches[1]};
+  NineBar press{state.contact_modes[0], state.contact_modes[1]};
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int draw = 0; draw < 20; ++draw) {
@@ -52,7 +52,7 @@ TEST(NineBarByHand, InFlight) { expect_same_press(oracle::make_free_start(oracle
 TEST(NineBarByHand, InContact) {
   oracle::SameState state = oracle::make_pressed_start(oracle::make_nine_bar());
   expect_same_press(state);
-  state.latches[0] = {};
+  state.contact_modes[0] = {};
   expect_same_press(state);
 }
 

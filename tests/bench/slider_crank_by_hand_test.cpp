@@ -27,7 +27,7 @@ void expect_same_slider(double friction, bool in_contact) {
       in_contact ? oracle::make_pressed_start(mechanism) : oracle::make_free_start(mechanism);
   oracle::EngineAt engine(mechanism, state);
   hand_written::SliderCrank by_hand(friction);
-  by_hand.latches = state.latches;
+  by_hand.contact_modes = state.contact_modes;
   const BodyNode& rod = engine.system.topology.bodies[find_body(mechanism, "rod")];
   ASSERT_EQ(engine.equations.n_free(), 2U) << "rod's angle and slide";
   for (int draw = 0; draw < 10; ++draw) {

@@ -12,7 +12,7 @@ namespace gudgeon::oracle {
 SameState make_free_start(const Mechanism& mechanism) {
   SameState state{assemble(mechanism), {}};
   for (const Joint& joint : mechanism.joints) {
-    state.latches.resize(state.latches.size() + static_cast<std::size_t>(n_contacts(joint.kind)));
+    state.contact_modes.resize(state.contact_modes.size() + static_cast<std::size_t>(n_contacts(joint.kind)));
   }
   return state;
 }
@@ -26,8 +26,8 @@ SameState make_pressed_start(const Mechanism& mechanism) {
     state.assembly.poses[k] = {body.center - arm, body.angle, body.velocity - body.angle_rate * perp(arm),
                                body.angle_rate};
   }
-  for (std::size_t k = 0; k < state.latches.size(); ++k) {
-    state.latches[k] = {pressed.contacts[k].in_contact, pressed.contacts[k].onset_speed};
+  for (std::size_t k = 0; k < state.contact_modes.size(); ++k) {
+    state.contact_modes[k] = {pressed.contacts[k].in_contact, pressed.contacts[k].onset_speed};
   }
   return state;
 }
@@ -37,7 +37,7 @@ EngineAt::EngineAt(const Mechanism& mechanism, const SameState& at)
   const State state = gudgeon::make_state(system, at.assembly);
   std::ranges::copy(state.q, y.begin());
   std::ranges::copy(state.v, y.begin() + static_cast<std::ptrdiff_t>(equations.n_free()));
-  equations.latches = at.latches;
+  equations.contact_modes = at.contact_modes;
 }
 
 }  // namespace gudgeon::oracle

@@ -13,12 +13,12 @@ namespace gudgeon::oracle {
 
 struct SameState {
   Assembly assembly;  ///< poses of all bodies, frame first
-  std::vector<ContactLatch> latches;
+  std::vector<ContactMode> contact_modes;
 };
 
 /// The start of the mechanism, every contact open.
 SameState make_free_start(const Mechanism& mechanism);
-/// The start with every journal some micrometres deep in its bearing, moving further in, latched in contact.
+/// The start with every journal some micrometres deep in its bearing, moving further in, in contact.
 SameState make_pressed_start(const Mechanism& mechanism);
 
 /// The compiled engine at such a state.

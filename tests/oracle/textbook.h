@@ -61,7 +61,7 @@ struct TextbookReaction {
   double moment = 0.0;  ///< [N m] about the second anchor point
 };
 
-/// Contact of unworn surfaces; force members are zero unless latched in contact and δ > 0.
+/// Contact of unworn surfaces; force members are zero unless in contact and δ > 0.
 struct TextbookContactForce {
   int joint = 0;
   Vec2 normal;  ///< n, from the bearing's centre to the journal's (zero when they coincide), or out of a slot
@@ -127,7 +127,7 @@ class Textbook {
   [[nodiscard]] std::vector<TextbookContactForce> eval_contacts(const TextbookState& state) const;
   [[nodiscard]] TextbookEnergy eval_energy(const TextbookState& state) const;
   [[nodiscard]] TextbookSolution solve(const TextbookState& state, double time) const;
-  /// One step of the classical fourth-order Runge-Kutta method; latched values stay.
+  /// One step of the classical fourth-order Runge-Kutta method; contact modes stay.
   [[nodiscard]] TextbookState step_rk4(const TextbookState& state, double time, double step) const;
 
  private:

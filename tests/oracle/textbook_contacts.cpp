@@ -108,7 +108,7 @@ class ContactFinder {
   void add_contact(const Pair& pair, const Point2& bearing, const Point2& journal, Vec2 n, double penetration,
                    double penetration_rate) {
     TextbookContactForce& contact = contacts.emplace_back();
-    const TextbookContact& latched = state_.contacts.at(contacts.size() - 1);
+    const TextbookContact& mode = state_.contacts.at(contacts.size() - 1);
     const double compliance = find_compliance(pair.properties);
     contact.joint = joint_;
     contact.normal = n;
@@ -123,9 +123,9 @@ class ContactFinder {
       return center.velocity + state_.bodies[center.body].angle_rate * perp(contact.point - center.position);
     };
     contact.slip_speed = dot(t, velocity_at_point(journal) - velocity_at_point(bearing));
-    if (!latched.in_contact || !(penetration > 0.0)) return;
+    if (!mode.in_contact || !(penetration > 0.0)) return;
 
-    const double onset_speed = std::max(latched.onset_speed, pair.properties.onset_speed_floor);
+    const double onset_speed = std::max(mode.onset_speed, pair.properties.onset_speed_floor);
     const double damping_factor =
         std::visit([](const auto& law) { return law.damping_factor(); }, pair.properties.normal_force);
     const NormalContact input{penetration,         penetration_rate, onset_speed,

@@ -124,7 +124,7 @@ TEST(TextbookContact, HasThePublishedStiffness) {
   EXPECT_NEAR(textbook.eval_contacts(find_start(textbook.mechanism()))[0].stiffness, 9.664e10, 5e6);
 }
 
-TEST(TextbookContact, OpposesSlipAndActsOnlyWhenLatchedAndOverlapping) {
+TEST(TextbookContact, OpposesSlipAndActsOnlyWhenActiveAndOverlapping) {
   const Textbook textbook(make_free_body_in_bearing());
   TextbookState state = make_pressed_state(textbook.mechanism());
   const TextbookContactForce contact = textbook.eval_contacts(state)[0];

@@ -17,11 +17,11 @@ struct Eccentricity {
 
 /// Places bodies by their guesses, closes joints by Newton's method with the smallest change, and finds velocities
 /// that hold the given start rates and all constraints. Journals get the eccentricities given, one a clearance joint;
-/// without any they are concentric and at rest in their bearings. No contact is latched.
+/// without any they are concentric and at rest in their bearings. No contact is active.
 /// Throws std::runtime_error when positions do not close or rates conflict. Rates not determined are the least ones.
 TextbookState find_start(const Mechanism& mechanism, const std::vector<Eccentricity>& eccentricities = {});
 
-/// The start with every journal 8 um and more deep in its bearing, moving further in, latched in contact.
+/// The start with every journal 8 um and more deep in its bearing, moving further in, in contact.
 TextbookState make_pressed_state(const Mechanism& mechanism);
 
 }  // namespace gudgeon::oracle

@@ -55,7 +55,7 @@ class Attempt {
     events.find_gaps(equations.workspace, end);
     Workspace scratch(system.tables);
     const CountedStep step(stepper);
-    const auto change = events.find_first_change(step, equations.latches, start, end, scratch);
+    const auto change = events.find_first_change(step, equations.contact_modes, start, end, scratch);
     n_looks = step.n_looks;
     return change;
   }

@@ -105,7 +105,7 @@ TEST(ContactEvents, ComingNearIsNotTouching) {
 
 TEST(ContactEvents, Separation) {
   Attempt attempt(make_balls({{{0.51, 0.0}, {-0.4, 0.0}}}, {}, kNoStiffness));
-  attempt.equations.latches[0] = {true, 0.4};
+  attempt.equations.contact_modes[0] = {true, 0.4};
   for (const double h : {0.026, 0.1}) {
     const auto change = attempt.find_change(h);
     ASSERT_TRUE(change);
@@ -119,7 +119,7 @@ TEST(ContactEvents, SeparationThatIsOverWithinTheStepIsSeen) {
   for (const double lowest : {0.49, 0.5 + 1e-9}) {
     const double v = std::sqrt(16.0 * (0.51 - lowest));
     Attempt attempt(make_balls({{{0.51, 0.0}, {-v, 0.0}}}, {8.0, 0.0}, kNoStiffness));
-    attempt.equations.latches[0] = {true, v};
+    attempt.equations.contact_modes[0] = {true, v};
     const double h = 1.9 * v / 8.0;
     const auto change = attempt.find_change(h);
     ASSERT_GT(attempt.end[0].penetration, 0.0) << "touches again";
@@ -143,7 +143,7 @@ TEST(ContactEvents, TheEarlierOfTwoWins) {
 
 TEST(ContactEvents, SeparationOfOneBeforeOnsetOfTheOther) {
   Attempt attempt(make_balls({{{0.0, 0.0}, {1.0, 0.0}}, {{0.0, 0.51}, {0.0, -0.1}}}, {}, kNoStiffness));
-  attempt.equations.latches[1] = {true, 0.1};
+  attempt.equations.contact_modes[1] = {true, 0.1};
   const auto change = attempt.find_change(0.8);
   ASSERT_TRUE(change);
   EXPECT_EQ(change->contact, 1U);

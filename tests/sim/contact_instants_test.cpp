@@ -78,7 +78,7 @@ TEST(ContactInstants, TouchesOfNoDepthGoOn) {
                                     " fm";
           while (motion.integrator.time() < end) {
             ASSERT_TRUE(motion.integrator.advance(end)) << where << " at " << motion.integrator.time();
-            const bool open = !motion.integrator.equations().latches[0].in_contact;
+            const bool open = !motion.integrator.equations().contact_modes[0].in_contact;
             if (open) {
               ASSERT_LE(motion.find_contact_gap(0).penetration, 2e-16) << where;
             }
@@ -92,16 +92,16 @@ TEST(ContactInstants, TouchesOfNoDepthGoOn) {
   }
 }
 
-// A latch that was turned a hair too early, as where surfaces approach at 0.1 mm/s and are drawn back at once.
+// A contact mode that was switched a hair too early, as where surfaces approach at 0.1 mm/s and are drawn back at once.
 TEST(ContactInstants, AContactThatNeverClosesEnds) {
   for (const double hair : {1e-9, 1e-11, 1e-13, 1e-15}) {
     for (const double speed : {1e-4, 1e-6, 1e-9}) {
       const Mechanism mechanism = make_balls({{{0.0, kBallClearance - hair}, {0.0, speed}}}, {0.0, -kGravity}, 1e9);
       IntegratedMotion motion(mechanism, {});
-      motion.integrator.equations().latches[0] = {true, speed};
+      motion.integrator.equations().contact_modes[0] = {true, speed};
       const bool touches = speed * speed > 2.0 * kGravity * hair;
       while (motion.integrator.time() < 0.1) ASSERT_TRUE(motion.integrator.advance(0.1)) << hair << ' ' << speed;
-      EXPECT_FALSE(motion.integrator.equations().latches[0].in_contact) << hair << ' ' << speed;
+      EXPECT_FALSE(motion.integrator.equations().contact_modes[0].in_contact) << hair << ' ' << speed;
       EXPECT_EQ(motion.integrator.statistics().separations, 1) << hair << ' ' << speed << (touches ? " touches" : "");
     }
   }

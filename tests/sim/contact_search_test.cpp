@@ -26,7 +26,7 @@ TEST(ContactSearch, APartingThatTheCubicMissesIsSeen) {
     mechanism.bodies[1].points[0].position = {kOffset, 0.0};
     mechanism.bodies[1].start.angle = -0.5 * std::numbers::pi - kHalf;
     Attempt attempt(mechanism);
-    attempt.equations.latches[0] = {true, 1.0};
+    attempt.equations.contact_modes[0] = {true, 1.0};
     const auto change = attempt.find_change(2.0 * kHalf);
     ASSERT_GT(attempt.start[0].penetration, 0.0);
     ASSERT_GT(attempt.end[0].penetration, 0.0);
@@ -60,7 +60,7 @@ TEST(ContactSearch, AGapThatOnlyTheShorterStepClosesIsNotPassed) {
       while (motion.integrator.time() < 1.2 * touch) {
         ASSERT_TRUE(motion.integrator.advance(1.2 * touch));
         for (std::size_t contact = 0; contact < 2; ++contact) {
-          if (motion.integrator.equations().latches[contact].in_contact) continue;
+          if (motion.integrator.equations().contact_modes[contact].in_contact) continue;
           ASSERT_LE(motion.find_contact_gap(contact).penetration, 0.0) << speed << ", " << late << ": " << contact;
         }
       }

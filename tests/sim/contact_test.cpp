@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A ball in flight against closed forms: delivered restitution, contact time, peak force and deepest penetration of a
-// free mass that meets a wall, through the whole of the engine: event location, latching, force, step control.
+// free mass that meets a wall, through the whole of the engine: event location, contact mode, force, step control.
 #include <gtest/gtest.h>
 
 #include <cmath>

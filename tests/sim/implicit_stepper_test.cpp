@@ -34,7 +34,7 @@ struct Press {
     motion.begin(make_state(system, assembly));
     constexpr double kSticks = 0.01083;  // [s]
     while (motion.time() < kSticks) motion.advance(kSticks);
-    equations.latches = motion.equations().latches;
+    equations.contact_modes = motion.equations().contact_modes;
     time = motion.time();
     y = motion.y();
     slope.resize(y.size());

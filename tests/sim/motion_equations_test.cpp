@@ -16,7 +16,7 @@
 namespace gudgeon {
 namespace {
 
-// A mechanism at its start, its journals pressed into their bearings and latched.
+// A mechanism at its start, its journals pressed into their bearings and in contact.
 struct Evaluated {
   explicit Evaluated(const Mechanism& mechanism)
       : assembly(assemble(mechanism)), system(compile(mechanism, assembly)), equations(system, {}) {
@@ -34,7 +34,7 @@ struct Evaluated {
         flat.half_height -= find_clearance(mechanism.joints[contact.joint].kind) - 1e-6;
       }
     }
-    for (ContactLatch& latch : equations.latches) latch = {true, 0.05};
+    for (ContactMode& mode : equations.contact_modes) mode = {true, 0.05};
     for (std::size_t i = 0; i < equations.n_free(); ++i) y[i] += 1e-4 * (1.0 + static_cast<double>(i % 3));
     eval();
   }
@@ -71,9 +71,9 @@ TEST(MotionEquations, CoordinatesRatesAndIntegrals) {
   const Evaluated press(oracle::make_nine_bar());
   EXPECT_EQ(press.equations.n_free(), 5U) << "five angles";
   EXPECT_EQ(press.equations.size(), 10U + kEnergyIntegrals);
-  EXPECT_EQ(press.equations.latches.size(), 2U);
+  EXPECT_EQ(press.equations.contact_modes.size(), 2U);
   EXPECT_EQ(Evaluated(oracle::make_free_pair()).equations.n_free(), 6U);
-  EXPECT_EQ(Evaluated(make_ideal(oracle::make_nine_bar())).equations.latches.size(), 0U);
+  EXPECT_EQ(Evaluated(make_ideal(oracle::make_nine_bar())).equations.contact_modes.size(), 0U);
 }
 
 TEST(MotionEquations, SlopesAreRatesAccelerationsAndPowers) {
@@ -183,7 +183,7 @@ TEST(MotionEquations, SampleIsTheContactInItsBodies) {
 
 TEST(MotionEquations, OpenContactsHaveNeitherForceNorPower) {
   Evaluated at(oracle::make_nine_bar());
-  at.equations.latches.assign(2, {});
+  at.equations.contact_modes.assign(2, {});
   at.eval();
   EXPECT_EQ(at.power(kContactDamping), 0.0);
   EXPECT_EQ(at.power(kFrictionLoss), 0.0);

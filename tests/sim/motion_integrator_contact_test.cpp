@@ -19,21 +19,21 @@ namespace {
 constexpr double kOnsetTime = 4e-11;
 constexpr double kRounding = 1e-14;  // [m]
 
-// A ball across its bearing: onset, latch, bounce.
-TEST(MotionIntegrator, OnsetLandsJustBeforeTouchAndTurnsTheLatchWithTheNextStep) {
+// A ball across its bearing: onset, contact mode, bounce.
+TEST(MotionIntegrator, OnsetLandsJustBeforeTouchAndSwitchesTheModeWithTheNextStep) {
   IntegratedMotion motion(make_balls({{{0.1, 0.0}, {3.0, 0.0}}}, {}, 1e6), {});
   while (!motion.integrator.changing_contact()) ASSERT_TRUE(motion.integrator.advance(1.0));
   EXPECT_EQ(motion.integrator.changing_contact(), 0U);
   EXPECT_NEAR(motion.integrator.time(), 0.4 / 3.0, kOnsetTime);
   EXPECT_LE(motion.find_contact_gap(0).penetration, 0.0);
-  EXPECT_FALSE(motion.integrator.equations().latches[0].in_contact) << "not yet";
+  EXPECT_FALSE(motion.integrator.equations().contact_modes[0].in_contact) << "not yet";
   EXPECT_EQ(motion.integrator.statistics().onsets, 0);
   EXPECT_EQ(motion.integrator.find_sample(0, 0).normal_force, 0.0);
 
   const double speed = motion.integrator.gaps()[0].penetration_rate;
   ASSERT_TRUE(motion.integrator.advance(1.0));
-  EXPECT_TRUE(motion.integrator.equations().latches[0].in_contact);
-  EXPECT_EQ(motion.integrator.equations().latches[0].onset_speed, speed);
+  EXPECT_TRUE(motion.integrator.equations().contact_modes[0].in_contact);
+  EXPECT_EQ(motion.integrator.equations().contact_modes[0].onset_speed, speed);
   EXPECT_NEAR(speed, 3.0, 1e-9);
   EXPECT_EQ(motion.integrator.statistics().onsets, 1);
   EXPECT_FALSE(motion.integrator.changing_contact());
@@ -44,8 +44,8 @@ TEST(MotionIntegrator, OnsetLandsJustBeforeTouchAndTurnsTheLatchWithTheNextStep)
   EXPECT_LT(motion.find_contact_gap(0).penetration_rate, 0.0);
   EXPECT_GT(motion.find_contact_gap(0).penetration, -3.0 * kOnsetTime);
   ASSERT_TRUE(motion.integrator.advance(1.0));
-  EXPECT_FALSE(motion.integrator.equations().latches[0].in_contact);
-  EXPECT_EQ(motion.integrator.equations().latches[0].onset_speed, 0.0);
+  EXPECT_FALSE(motion.integrator.equations().contact_modes[0].in_contact);
+  EXPECT_EQ(motion.integrator.equations().contact_modes[0].onset_speed, 0.0);
   EXPECT_EQ(motion.integrator.find_sample(3, 0).normal_force, 0.0);
   EXPECT_EQ(motion.integrator.statistics().separations, 1);
 }
@@ -70,7 +70,8 @@ TEST(MotionIntegrator, SamplesBeginAtTheStartOfTheStep) {
     ASSERT_TRUE(motion.integrator.advance(0.012));
     if (motion.integrator.is_implicit() != was_implicit) ++n_changes;
     was_implicit = motion.integrator.is_implicit();
-    eval_dynamics(tables, time, y.data(), y.data() + n_free, motion.integrator.equations().latches, {}, workspace);
+    eval_dynamics(tables, time, y.data(), y.data() + n_free, motion.integrator.equations().contact_modes, {},
+                  workspace);
     const double force = workspace.contact_forces.front().normal_force;
     // Loops are closed after a step was sampled, by less than this.
     ASSERT_NEAR(motion.integrator.find_sample(0, 0).normal_force, force, 1e-3 * force + 1e-3) << "at " << time;
@@ -117,7 +118,7 @@ void expect_contract(IntegratedMotion& motion, double end, int least_onsets) {
     ASSERT_TRUE(motion.integrator.advance(end));
     const auto changing = motion.integrator.changing_contact();
     for (std::size_t k = 0; k < motion.integrator.gaps().size(); ++k) {
-      const bool open = !motion.integrator.equations().latches[k].in_contact;
+      const bool open = !motion.integrator.equations().contact_modes[k].in_contact;
       const ContactGap gap = motion.find_contact_gap(k);
       if (open) {
         ASSERT_LE(gap.penetration, 0.0) << motion.integrator.time();

@@ -37,7 +37,7 @@ struct Recorded {
     std::vector<double> y(equations.size(), 0.0);
     std::ranges::copy(state.q, y.begin());
     std::ranges::copy(state.v, y.begin() + static_cast<std::ptrdiff_t>(equations.n_free()));
-    for (ContactLatch& latch : equations.latches) latch = {true, 0.1};
+    for (ContactMode& mode : equations.contact_modes) mode = {true, 0.1};
     equations.eval(kTime, y.data(), slope.data());
     update_point_motions(system.tables, equations.workspace);
     gaps.resize(system.tables.contacts.size());
@@ -45,7 +45,7 @@ struct Recorded {
   }
 
   void sample(double time = kTime) {
-    recorder.sample(time, equations.workspace, equations.latches, initial_energy, integrals.data());
+    recorder.sample(time, equations.workspace, equations.contact_modes, initial_energy, integrals.data());
   }
   void watch(double time) { recorder.watch(time, equations.workspace, gaps); }
   StageRecord finish() {
@@ -147,7 +147,7 @@ TEST(StageRecorder, ClearancesAreTheOffsetsOfTheirPoints) {
     const double direction = std::atan2(offset.y, offset.x) - poses[i].angle;
     EXPECT_NEAR(std::remainder(value(stage, name + ".contact_angle") - direction, 2.0 * std::numbers::pi), 0.0, 1e-9);
     EXPECT_LE(std::abs(value(stage, name + ".contact_angle")), std::numbers::pi);
-    EXPECT_EQ(value(stage, name + ".in_contact"), 1.0) << "as latched";
+    EXPECT_EQ(value(stage, name + ".in_contact"), 1.0) << "by its contact mode";
   }
 }
 

@@ -39,7 +39,7 @@ struct Motion {
       slope[i] = y[n + i] = eval_quintic(time, 1);
       slope[n + i] = eval_quintic(time, 2);
     }
-    steps.note(time, y, slope, equations.latches);
+    steps.note(time, y, slope, equations.contact_modes);
   }
 
   Mechanism mechanism = make_balls({{{}, {}}}, {}, 1e6);
@@ -76,15 +76,15 @@ TEST(StepHistory, GivesRatesOfFourthOrder) {
   }
 }
 
-TEST(StepHistory, KnowsTheLatchesOfEachStep) {
+TEST(StepHistory, KnowsTheContactModesOfEachStep) {
   Motion motion;
   motion.note(0.1);
-  motion.equations.latches[0] = {true, 0.3};
+  motion.equations.contact_modes[0] = {true, 0.3};
   motion.note(0.2);
-  motion.equations.latches[0] = {};
+  motion.equations.contact_modes[0] = {};
   motion.note(0.3);
-  EXPECT_TRUE(motion.steps.find_latches(0.15)[0].in_contact);
-  EXPECT_FALSE(motion.steps.find_latches(0.25)[0].in_contact);
+  EXPECT_TRUE(motion.steps.find_contact_modes(0.15)[0].in_contact);
+  EXPECT_FALSE(motion.steps.find_contact_modes(0.25)[0].in_contact);
   EXPECT_EQ(motion.steps.time(0), 0.3);
   EXPECT_EQ(motion.steps.time(2), 0.1);
   motion.steps.clear();

@@ -20,8 +20,8 @@ class PressedMechanism {
   PressedMechanism(const Mechanism& mechanism, bool worn, NormalDirection direction)
       : system(compile(mechanism, assemble(mechanism))), workspace(system.tables), finder(system) {
     state_ = make_state(system, assemble(mechanism));
-    latches_.assign(system.tables.contacts.size(), {true, 0.07});
-    for (std::size_t k = 0; k < latches_.size(); ++k) {
+    contact_modes_.assign(system.tables.contacts.size(), {true, 0.07});
+    for (std::size_t k = 0; k < contact_modes_.size(); ++k) {
       system.tables.contacts[k].normal_direction = direction;
       if (worn) set_surfaces(system, k, make_wear(20), make_wear(26));
     }
@@ -30,9 +30,9 @@ class PressedMechanism {
       // Bars of 326 and 497 mm whose journals move by 0.7 mm.
       state_.q[system.topology.bodies[find_body(mechanism, "rod_2")].turn] += 0.7 / 326.0;
       state_.q[system.topology.bodies[find_body(mechanism, "rod_3")].turn] -= 0.7 / 497.0;
-    } else if (!latches_.empty() && counts.n_free_slides == 0) {
+    } else if (!contact_modes_.empty() && counts.n_free_slides == 0) {
       state_.q[0] += 2.5e-3;  // a rod of 250 mm
-    } else if (!latches_.empty()) {
+    } else if (!contact_modes_.empty()) {
       state_.q[counts.n_free_turns] += 0.6e-3;
       if (!system.topology.loose.empty()) state_.q[counts.n_free_turns + 1] += 0.15e-3;
     }
@@ -47,7 +47,7 @@ class PressedMechanism {
       state.q[k] += t * state.v[k] + 0.5 * t * t * accelerations_[k];
       state.v[k] += t * accelerations_[k];
     }
-    eval_dynamics(system.tables, t, state.q.data(), state.v.data(), latches_, {}, workspace);
+    eval_dynamics(system.tables, t, state.q.data(), state.v.data(), contact_modes_, {}, workspace);
     return finder.update(workspace);
   }
 
@@ -70,7 +70,7 @@ class PressedMechanism {
   }
 
   State state_;
-  std::vector<ContactLatch> latches_;
+  std::vector<ContactMode> contact_modes_;
   std::vector<double> accelerations_;
 };
 

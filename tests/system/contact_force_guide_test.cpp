@@ -72,15 +72,15 @@ void expect_balanced_guide_power(const Law& law) {
   constexpr double kStep = 1e-6;
   for (const GuideCase& guide : kGuideCases) {
     const Contact contact = make_side_contact(guide, law);
-    const ContactLatch latch{true, 2e-3};
+    const ContactMode mode{true, 2e-3};
     for (double t = 0.0; t < 2.0; t += 0.07) {
       const RelativeMotion motion = find_motion_at(contact, t);
-      const ContactForces forces = find_contact_forces(contact, motion, latch);
+      const ContactForces forces = find_contact_forces(contact, motion, mode);
       const double power = dot(forces.force_on_journal, motion.velocity) +
                            forces.torque_on_bearing * motion.bearing_rate +
                            forces.torque_on_journal * motion.journal_rate;
       const auto energy = [&](double at) {
-        return find_contact_forces(contact, find_motion_at(contact, at), latch).elastic_energy;
+        return find_contact_forces(contact, find_motion_at(contact, at), mode).elastic_energy;
       };
       const double stored = (energy(t + kStep) - energy(t - kStep)) / (2.0 * kStep);
       // Lengths of 0.1 m round to 1e-17 m, a few of which over the step are 5e-11 m/s; rates are up to 1e-3 m/s.
@@ -127,8 +127,8 @@ TEST(GuideForce, LeavesAFreePairItsMomentum) {
       state.q[first + 1] += shift * joint.clearance * std::cos(across);
       Workspace workspace(system.tables);
       BodyMotionFinder finder(system);
-      const std::vector<ContactLatch> latches(4, ContactLatch{true, 0.1});
-      eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), latches, {}, workspace);
+      const std::vector<ContactMode> contact_modes(4, ContactMode{true, 0.1});
+      eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), contact_modes, {}, workspace);
       double force = 0.0;
       for (const ContactForces& forces : workspace.contact_forces) force = std::max(force, forces.normal_force);
       ASSERT_GT(force, 0.0);

@@ -84,7 +84,7 @@ TEST(ContactForce, HasTheStiffnessOfThePaper) {
   }
 }
 
-TEST(ContactForce, IsNothingUnlessLatchedAndPressed) {
+TEST(ContactForce, IsNothingUnlessActiveAndPressed) {
   const Contact contact = make_contact(0.5e-3);
   const RelativeMotion pressed = make_pressed_motion(0.0);
   const RelativeMotion apart{{0.4e-3, 0.0}, {1.0, 1.0}, 0.0, 0.0, 3.0, -3.0};
@@ -100,7 +100,7 @@ TEST(ContactForce, IsNothingUnlessLatchedAndPressed) {
   }
 }
 
-// A linear damper presses from the first touch on; a hair before it a latched contact presses as much.
+// A linear damper presses from the first touch on; a hair before it an active contact presses as much.
 TEST(ContactForce, BeginsWithItsStep) {
   for (const AnyNormalForce& law :
        {AnyNormalForce{KelvinVoigt{2e8, 3e3}}, AnyNormalForce{Anagnostopoulos{2e8, 0.14}}}) {
@@ -182,15 +182,15 @@ void expect_balanced_power(const AnyNormalForce& law) {
   for (const Surfaces& surfaces : kSurfaces) {
     Contact contact = make_contact(surfaces);
     set_normal_force(contact, law);
-    const ContactLatch latch{true, 2e-3};
+    const ContactMode mode{true, 2e-3};
     for (double t = 0.0; t < 2.0; t += 0.07) {
       const RelativeMotion motion = make_pressed_motion(t);
-      const ContactForces forces = find_contact_forces(contact, motion, latch);
+      const ContactForces forces = find_contact_forces(contact, motion, mode);
       const double power = dot(forces.force_on_journal, motion.velocity) +
                            forces.torque_on_bearing * motion.bearing_rate +
                            forces.torque_on_journal * motion.journal_rate;
-      const double stored = (find_contact_forces(contact, make_pressed_motion(t + kStep), latch).elastic_energy -
-                             find_contact_forces(contact, make_pressed_motion(t - kStep), latch).elastic_energy) /
+      const double stored = (find_contact_forces(contact, make_pressed_motion(t + kStep), mode).elastic_energy -
+                             find_contact_forces(contact, make_pressed_motion(t - kStep), mode).elastic_energy) /
                             (2.0 * kStep);
       // Energies of F δ round to 1e-16 of that over the step; the step squared is smaller.
       const double tolerance = 1e-8 * forces.normal_force * 1e-3;
@@ -225,21 +225,21 @@ TEST(ContactForce, SlidesOverWornSurfacesWithoutLoss) {
     if constexpr (NestsDamping<Law>) law.damping = NoDamping{};
     set_normal_force(contact, law);
     contact.friction = Frictionless{};
-    const ContactLatch latch{true, 2e-3};
+    const ContactMode mode{true, 2e-3};
     constexpr double kEnd = 1.3;
     constexpr int kSteps = 20000;
     double work = 0.0;
     double surface_work = 0.0;
     for (int i = 0; i < kSteps; ++i) {  // midpoints
       const RelativeMotion motion = make_pressed_motion(kEnd * (i + 0.5) / kSteps);
-      const ContactForces forces = find_contact_forces(contact, motion, latch);
+      const ContactForces forces = find_contact_forces(contact, motion, mode);
       work += (dot(forces.force_on_journal, motion.velocity) + forces.torque_on_bearing * motion.bearing_rate +
                forces.torque_on_journal * motion.journal_rate) *
               kEnd / kSteps;
       surface_work += forces.surface_power * kEnd / kSteps;
     }
-    const double start = find_contact_forces(contact, make_pressed_motion(0.0), latch).elastic_energy;
-    const double end = find_contact_forces(contact, make_pressed_motion(kEnd), latch).elastic_energy;
+    const double start = find_contact_forces(contact, make_pressed_motion(0.0), mode).elastic_energy;
+    const double end = find_contact_forces(contact, make_pressed_motion(kEnd), mode).elastic_energy;
     EXPECT_NEAR(work - surface_work, start - end, 1e-6 * start) << Law::kName;  // midpoints, their step squared
     EXPECT_GT(std::abs(end - start), 0.01 * start) << "the energies differ enough to tell";
   });
@@ -262,8 +262,8 @@ TEST(ContactForce, LeavesAFreePairItsMomentum) {
     state.q[system.tables.counts.n_free_turns + 1] -= 4e-4;
     Workspace workspace(system.tables);
     BodyMotionFinder finder(system);
-    const std::vector<ContactLatch> latches{{true, 0.1}};
-    eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), latches, {}, workspace);
+    const std::vector<ContactMode> contact_modes{{true, 0.1}};
+    eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), contact_modes, {}, workspace);
     const double force = workspace.contact_forces[0].normal_force;
     ASSERT_GT(force, 0.0);
     Vec2 push;

@@ -84,7 +84,7 @@ Pressed press_balls(int n, double young_modulus, const AnyFriction& friction) {
   Mechanism mechanism = make_balls(flights, {}, young_modulus);
   for (Joint& joint : mechanism.joints) std::get<RevoluteClearance>(joint.kind).contact.friction = friction;
   oracle::SameState state = oracle::make_free_start(mechanism);
-  for (ContactLatch& latch : state.latches) latch = {true, 0.1};
+  for (ContactMode& mode : state.contact_modes) mode = {true, 0.1};
   return {mechanism, state};
 }
 
@@ -104,7 +104,7 @@ TEST_P(PressedContacts, CorrectAsTheWholeJacobianWould) {
         Eigen::MatrixXd::Identity(pressed.n, pressed.n) - tau * by_rates - tau * tau * by_coordinates;
     const Eigen::VectorXd expected = system.partialPivLu().solve(residual);
     Eigen::VectorXd corrected = residual;
-    response.weigh(tau, pressed.at.equations.latches, pressed.at.equations.workspace);
+    response.weigh(tau, pressed.at.equations.contact_modes, pressed.at.equations.workspace);
     response.correct(corrected.data());
     // What is not in it: how normals turn as journals move along, and the mechanism's own rates.
     const double turning = tau * tau * pressed.find_turning();
@@ -118,7 +118,7 @@ TEST_P(PressedContacts, TellTheFastestRates) {
   Pressed pressed = GetParam()();
   ContactResponse response(pressed.at.system.tables);
   response.update(pressed.at.equations.workspace);
-  const ContactRates rates = response.find_rates(pressed.at.equations.latches, pressed.at.equations.workspace);
+  const ContactRates rates = response.find_rates(pressed.at.equations.contact_modes, pressed.at.equations.workspace);
   const double rate = std::max(rates.decay, rates.swing);
   // Of the motion [q̇ v̇] = [0 1; ∂a/∂q ∂a/∂v] [q v].
   const Eigen::Index n = pressed.n;
@@ -141,7 +141,7 @@ TEST(ContactResponse, TellsTheSwingOfABallFromItsSlip) {
   ContactResponse response(pressed.at.system.tables);
   response.update(pressed.at.equations.workspace);
   const ContactForces& forces = pressed.at.equations.workspace.contact_forces.front();
-  const ContactRates rates = response.find_rates(pressed.at.equations.latches, pressed.at.equations.workspace);
+  const ContactRates rates = response.find_rates(pressed.at.equations.contact_modes, pressed.at.equations.workspace);
   const double swing = std::sqrt(1.5 * forces.normal_force / (forces.gap.penetration * 2.0));
   EXPECT_NEAR(rates.swing, swing, 1e-5 * swing);
   EXPECT_EQ(rates.decay, 0.0) << "neither damped nor rubbed";
@@ -153,11 +153,11 @@ TEST(ContactResponse, LeavesAMotionWithoutContactsAlone) {
   at.equations.eval(0.0, at.y.data(), at.slope.data());
   ContactResponse response(at.system.tables);
   response.update(at.equations.workspace);
-  response.weigh(1e-5, at.equations.latches, at.equations.workspace);
+  response.weigh(1e-5, at.equations.contact_modes, at.equations.workspace);
   std::vector<double> residual(at.equations.n_free(), 2.0);
   response.correct(residual.data());
   for (const double value : residual) EXPECT_EQ(value, 2.0);
-  const ContactRates rates = response.find_rates(at.equations.latches, at.equations.workspace);
+  const ContactRates rates = response.find_rates(at.equations.contact_modes, at.equations.workspace);
   EXPECT_EQ(rates.decay, 0.0);
   EXPECT_EQ(rates.swing, 0.0);
 }

@@ -54,7 +54,7 @@ class SlopesOf : public testing::TestWithParam<ContactKind> {};
 
 TEST_P(SlopesOf, AContactAreThoseOfForcesAlongANearbyMotion) {
   const Contact contact = make_contact_of(GetParam());
-  const ContactLatch latch{true, 0.05};
+  const ContactMode mode{true, 0.05};
   // The journal touches here, deeper, faster inwards, or slipping faster, all along the normal's and the slip's own
   // directions.
   const RelativeMotion centred{Vec2{1e-9, 0.0}, {}, 0.0, 0.0, 0.0, 0.0};
@@ -67,7 +67,7 @@ TEST_P(SlopesOf, AContactAreThoseOfForcesAlongANearbyMotion) {
   const auto find_forces = [&](double penetration, double rate, double slip) {
     const RelativeMotion motion{
         (reach + penetration) * normal, rate * normal + slip * perp(normal), 0.0, 0.0, 0.0, 0.0};
-    return find_contact_forces(contact, motion, latch);
+    return find_contact_forces(contact, motion, mode);
   };
   constexpr double kDepth = 8e-6;
   constexpr double kRate = 0.02;
@@ -75,7 +75,7 @@ TEST_P(SlopesOf, AContactAreThoseOfForcesAlongANearbyMotion) {
   const ContactForces forces = find_forces(kDepth, kRate, kSlip);
   ASSERT_NEAR(forces.gap.penetration, kDepth, 1e-9);
   ASSERT_GT(forces.normal_force, 0.0);
-  const ContactSlopes slopes = find_contact_slopes(contact, latch, 0.0, forces);
+  const ContactSlopes slopes = find_contact_slopes(contact, mode, 0.0, forces);
   const auto find_slope = [](double before, double after, double step) { return (after - before) / (2.0 * step); };
   const double by_depth = find_slope(find_forces(kDepth - 1e-9, kRate, kSlip).normal_force,
                                      find_forces(kDepth + 1e-9, kRate, kSlip).normal_force, 1e-9);

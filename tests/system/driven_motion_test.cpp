@@ -26,8 +26,8 @@ struct Evaluated {
   explicit Evaluated(const Mechanism& mechanism, double time = 0.0)
       : assembly(assemble(mechanism, time)), system(compile(mechanism, assembly)), workspace(system.tables) {
     const State state = make_state(system, assembly);
-    const std::vector<ContactLatch> latches(system.tables.contacts.size());
-    eval_dynamics(system.tables, time, state.q.data(), state.v.data(), latches, {}, workspace);
+    const std::vector<ContactMode> contact_modes(system.tables.contacts.size());
+    eval_dynamics(system.tables, time, state.q.data(), state.v.data(), contact_modes, {}, workspace);
     motions = BodyMotionFinder(system).update(workspace);
     reactions = ReactionFinder(system).update(workspace, motions);
   }

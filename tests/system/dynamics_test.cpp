@@ -29,14 +29,14 @@ class RandomStates {
       : system(compile(mechanism, assemble(mechanism))),
         workspace(system.tables),
         start_(make_state(system, assemble(mechanism))),
-        latches(system.tables.contacts.size(), ContactLatch{true, 0.07}) {}
+        contact_modes(system.tables.contacts.size(), ContactMode{true, 0.07}) {}
 
   // A state near the start on which all closures hold to rounding; empty when the draw cannot be closed.
   std::optional<State> draw(double time, double spread) {
     State state = start_;
     for (double& q : state.q) q += spread * uniform_(random_);
     for (double& v : state.v) v += 3.0 * uniform_(random_);
-    const std::vector<ContactLatch> open(latches.size());
+    const std::vector<ContactMode> open(contact_modes.size());
     std::vector<double> correction(state.q.size());
     const auto n_free = static_cast<std::size_t>(system.tables.counts.n_free());
     for (int pass = 0; pass < 25; ++pass) {
@@ -49,7 +49,7 @@ class RandomStates {
     const auto rate = workspace.closure_rate;
     find_correction(system.tables, rate, workspace, correction.data());
     for (std::size_t k = 0; k < n_free; ++k) state.v[k] += correction[k];
-    eval_dynamics(system.tables, time, state.q.data(), state.v.data(), latches, {}, workspace);
+    eval_dynamics(system.tables, time, state.q.data(), state.v.data(), contact_modes, {}, workspace);
     for (const Vec2 gap : workspace.closure_gap) {
       if (!(norm(gap) < 1e-13)) return std::nullopt;
     }
@@ -65,7 +65,7 @@ class RandomStates {
   std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
 
  public:
-  std::vector<ContactLatch> latches;
+  std::vector<ContactMode> contact_modes;
 };
 
 oracle::TextbookState make_textbook_state(const RandomStates& states, const oracle::Textbook& textbook) {
@@ -194,7 +194,7 @@ TEST(EngineAgainstTextbookContacts, EachForceAgrees) {
     if (!has_clearance(mechanism)) continue;
     RandomStates states(mechanism);
     const oracle::Textbook textbook(mechanism);
-    std::vector<int> touched(states.latches.size());
+    std::vector<int> touched(states.contact_modes.size());
     for (int draw = 0; draw < 60; ++draw) {
       if (!states.draw(0.0, 2e-3)) continue;
       const auto expected = textbook.eval_contacts(make_textbook_state(states, textbook));

@@ -27,8 +27,8 @@ struct Started {
   explicit Started(const Mechanism& mechanism)
       : assembly(assemble(mechanism)), system(compile(mechanism, assembly)), workspace(system.tables), finder(system) {
     const State state = make_state(system, assembly);
-    const std::vector<ContactLatch> latches(system.tables.contacts.size());
-    eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), latches, {}, workspace);
+    const std::vector<ContactMode> contact_modes(system.tables.contacts.size());
+    eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), contact_modes, {}, workspace);
     motions = BodyMotionFinder(system).update(workspace);
     finder.update(workspace, motions);
   }

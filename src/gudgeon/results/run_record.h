@@ -33,7 +33,7 @@ struct ContactEvent {
   std::int32_t joint = 0;    ///< index into StageRecord::wear
   double onset_time = 0.0;   ///< [s]
   double duration = 0.0;     ///< [s]; up to the end of the stage when still in contact
-  double onset_speed = 0.0;  ///< [m/s] latched there
+  double onset_speed = 0.0;  ///< [m/s] penetration rate there
   double angle = 0.0;        ///< [rad] of the contact at onset, in the bearing body
   double peak_force = 0.0;   ///< [N]
   double position = 0.0;     ///< [m] of the contact at onset along a slot, from its middle

@@ -119,7 +119,7 @@ class ChannelTable {
     const ContactGroup contacts = system_.tables.contact_groups[group];
     add(name + ".in_contact", "", "1", "1 while the surfaces touch, 0 in free flight", [=](const Snapshot& at) {
       for (int k = contacts.first_contact; k < contacts.end_contact; ++k) {
-        if (at.latches[static_cast<std::size_t>(k)].in_contact) return 1.0;
+        if (at.contact_modes[static_cast<std::size_t>(k)].in_contact) return 1.0;
       }
       return 0.0;
     });

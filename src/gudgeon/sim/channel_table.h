@@ -17,7 +17,7 @@ namespace gudgeon {
 /// One state of a stage with all that channels are read from.
 struct Snapshot {
   const Workspace* workspace = nullptr;
-  std::span<const ContactLatch> latches;
+  std::span<const ContactMode> contact_modes;
   const std::vector<BodyMotion>* motions = nullptr;
   const std::vector<JointReaction>* reactions = nullptr;
   std::vector<ClearanceReading> clearances;  ///< one a clearance joint
@@ -31,7 +31,8 @@ struct Snapshot {
 struct RecordedChannel {
   Channel channel;
   std::function<double(const Snapshot&)> read;
-  bool watched = false;  ///< its statistics are taken at every step: reads no reactions, energies, latches or positions
+  bool watched =
+      false;  ///< its statistics are taken at every step: reads no reactions, energies, contact modes or positions
 };
 
 std::vector<RecordedChannel> make_channel_table(const System& system);

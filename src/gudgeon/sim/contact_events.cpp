@@ -97,12 +97,12 @@ void ContactEvents::find_gaps(Workspace& workspace, std::vector<GapState>& gaps)
   for (std::size_t k = 0; k < gaps.size(); ++k) gaps[k] = find_gap(k, workspace);
 }
 
-void ContactEvents::find_gaps(Workspace& workspace, std::span<const ContactLatch> latches,
+void ContactEvents::find_gaps(Workspace& workspace, std::span<const ContactMode> contact_modes,
                               std::vector<GapState>& gaps) const noexcept {
-  const bool all_known = std::ranges::all_of(latches, &ContactLatch::in_contact);
+  const bool all_known = std::ranges::all_of(contact_modes, &ContactMode::in_contact);
   if (!all_known) update_point_motions(*tables_, workspace);
   for (std::size_t k = 0; k < gaps.size(); ++k) {
-    if (latches[k].in_contact) {
+    if (contact_modes[k].in_contact) {
       gaps[k] = find_gap_state(tables_->contacts[k], workspace.contact_forces[k].gap, workspace);
     } else {
       gaps[k] = find_gap(k, workspace);
@@ -248,12 +248,12 @@ int ContactEvents::count_parts(std::size_t contact, bool in_contact, double h, c
 }
 
 std::optional<ContactChange> ContactEvents::find_first_change(const DenseStep& step,
-                                                              std::span<const ContactLatch> latches,
+                                                              std::span<const ContactMode> contact_modes,
                                                               const std::vector<GapState>& start,
                                                               const std::vector<GapState>& end, Workspace& workspace) {
   std::optional<ContactChange> first;
-  for (std::size_t k = 0; k < latches.size(); ++k) {
-    const bool in_contact = latches[k].in_contact;
+  for (std::size_t k = 0; k < contact_modes.size(); ++k) {
+    const bool in_contact = contact_modes[k].in_contact;
     const int n_parts = count_parts(k, in_contact, step.step(), start[k], end[k]);
     if (n_parts == 0) continue;
     const auto crossing =

@@ -37,9 +37,9 @@ class ContactEvents {
 
   /// Gaps at coordinates that the workspace was last updated for.
   void find_gaps(Workspace& workspace, std::vector<GapState>& gaps) const noexcept;
-  /// The same where the workspace was evaluated with these latches: what a latched contact pressed with is known, and
-  /// no more than that is found of its gap (no reach and no cell rate, which only matter in flight).
-  void find_gaps(Workspace& workspace, std::span<const ContactLatch> latches,
+  /// The same where the workspace was evaluated with these contact modes: what an active contact pressed with is known,
+  /// and no more than that is found of its gap (no reach and no cell rate, which only matter in flight).
+  void find_gaps(Workspace& workspace, std::span<const ContactMode> contact_modes,
                  std::vector<GapState>& gaps) const noexcept;
   /// All of one gap, at points that are up to date.
   [[nodiscard]] GapState find_gap(std::size_t contact, const Workspace& workspace) const noexcept;
@@ -49,7 +49,7 @@ class ContactEvents {
   /// The earliest change of any contact between start and end of the attempted step: a gap that closes in free flight,
   /// or a contact that opens. Also finds those that begin and end inside the step. start and end are the gaps at the
   /// step's ends. Uses the workspace for interpolated states.
-  std::optional<ContactChange> find_first_change(const DenseStep& step, std::span<const ContactLatch> latches,
+  std::optional<ContactChange> find_first_change(const DenseStep& step, std::span<const ContactMode> contact_modes,
                                                  const std::vector<GapState>& start, const std::vector<GapState>& end,
                                                  Workspace& workspace);
 

@@ -92,8 +92,8 @@ class ControlledStepper : public Stepper {
     double largest = 0.0;
     for (const int work : {kLoadWork, kDamperLoss, kDriverWork, kContactDamping, kFrictionLoss}) {
       // Impacts are in the drivers' efforts, and in the energy balance; it does not see them where all is driven.
-      const bool is_of_contacts =
-          work == kContactDamping || work == kFrictionLoss || (work == kDriverWork && !equations_.latches.empty());
+      const bool is_of_contacts = work == kContactDamping || work == kFrictionLoss ||
+                                  (work == kDriverWork && !equations_.contact_modes.empty());
       if (is_of_contacts && !is_driven) continue;
       largest = std::max(largest, std::abs(find_error(first + static_cast<std::size_t>(work))));
     }

@@ -106,7 +106,7 @@ bool ImplicitStepper::solve_stage(int stage) noexcept {
     }
     ++statistics_.evaluations;
     equations_.eval(time_ + Esdirk::kNodes[stage] * h_, end_.data(), slope.data());
-    response_.weigh(tau, equations_.latches, equations_.workspace);
+    response_.weigh(tau, equations_.contact_modes, equations_.workspace);
     for (std::size_t i = 0; i < n; ++i) residual_[i] = slope[n + i] - acceleration_[i];
     response_.correct(residual_.data());
     const double size = find_size(tau);

@@ -31,7 +31,7 @@ class ImplicitStepper final : public ControlledStepper, private DenseStep {
   }
   /// The fastest rates that contacts put into the motion at the end of the last step.
   [[nodiscard]] ContactRates find_rates() const noexcept {
-    return response_.find_rates(equations_.latches, equations_.workspace);
+    return response_.find_rates(equations_.contact_modes, equations_.workspace);
   }
   /// How fast slip of a contact comes to rest where friction is steepest, by the forces of the workspace as it stands.
   [[nodiscard]] double find_steepest_decay(std::size_t contact) noexcept {

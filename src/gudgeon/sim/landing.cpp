@@ -25,7 +25,7 @@ constexpr double kLeastShare = 1e-6;
 bool MotionIntegrator::attempt_step(double longest, double left) {
   if (!stepper_->attempt(longest, left) || !end_at_break() || !sees_loads()) return false;
   find_end_gaps();
-  auto change = events_.find_first_change(stepper_->dense(), equations_.latches, gaps_, end_gaps_, scratch_);
+  auto change = events_.find_first_change(stepper_->dense(), equations_.contact_modes, gaps_, end_gaps_, scratch_);
   // Where a landing finds another gap closed that dense output of the longer step saw open, that one is landed on.
   for (std::size_t landing = 0; change; ++landing) {
     if (landing > gaps_.size() || !land_on_change(*change)) {
@@ -35,7 +35,7 @@ bool MotionIntegrator::attempt_step(double longest, double left) {
     }
     if (!is_gap_passed()) break;
     changing_contact_.reset();
-    change = events_.find_first_change(stepper_->dense(), equations_.latches, gaps_, end_gaps_, scratch_);
+    change = events_.find_first_change(stepper_->dense(), equations_.contact_modes, gaps_, end_gaps_, scratch_);
   }
   // Past the end of its slot a journal is found at the end of a step.
   if (const auto share = events_.find_hidden_overrun(stepper_->dense(), gaps_, end_gaps_, scratch_)) {
@@ -53,7 +53,7 @@ bool MotionIntegrator::attempt_step(double longest, double left) {
 // Whether a contact that is open, and has not just been landed on, penetrates at the end of the attempt.
 bool MotionIntegrator::is_gap_passed() const {
   for (std::size_t k = 0; k < end_gaps_.size(); ++k) {
-    if (changing_contact_ == k || equations_.latches[k].in_contact) continue;
+    if (changing_contact_ == k || equations_.contact_modes[k].in_contact) continue;
     if (end_gaps_[k].penetration > 0.0) return true;
   }
   return false;
@@ -61,7 +61,7 @@ bool MotionIntegrator::is_gap_passed() const {
 
 void MotionIntegrator::find_end_gaps() {
   if (stepper_->evaluates_end()) {
-    events_.find_gaps(equations_.workspace, equations_.latches, end_gaps_);
+    events_.find_gaps(equations_.workspace, equations_.contact_modes, end_gaps_);
   } else {
     events_.find_gaps(equations_.workspace, end_gaps_);
   }
@@ -73,7 +73,7 @@ void MotionIntegrator::find_end_gaps() {
 // the other way, or when it cannot be ended there.
 bool MotionIntegrator::land_on_change(const ContactChange& change) {
   const std::size_t k = change.contact;
-  const bool is_onset = !equations_.latches[k].in_contact;
+  const bool is_onset = !equations_.contact_modes[k].in_contact;
   const double sign = is_onset ? 1.0 : -1.0;
   const auto watch = [&](const GapState& gap) {
     return WatchedValue{sign * gap.penetration, sign * gap.penetration_rate};

@@ -22,7 +22,7 @@ constexpr double kReturnShare = 0.02;
 
 // Forces on the breaks are those of both sides, mixed so that each argument stays where it is: ẋ = −x/τ. Accelerations
 // are linear in the shares.
-void MotionEquations::eval_sliding(double t, const double* y, std::span<const ContactLatch> latched,
+void MotionEquations::eval_sliding(double t, const double* y, std::span<const ContactMode> modes,
                                    Workspace& target) noexcept {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostSlides, kMostSlides>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostSlides, 1>;
@@ -30,7 +30,7 @@ void MotionEquations::eval_sliding(double t, const double* y, std::span<const Co
   const int n = held.n_slides;
   const std::span<const int> surfaces(held.surfaces.data(), static_cast<std::size_t>(n));
   const auto eval_rates = [&](double* rates) {
-    eval_dynamics(*tables_, t, y, y + n_free_, latched, feedback_, target);
+    eval_dynamics(*tables_, t, y, y + n_free_, modes, feedback_, target);
     find_argument_rates(t, y, surfaces, target, rates);
   };
   Vector away(n);
@@ -49,7 +49,7 @@ void MotionEquations::eval_sliding(double t, const double* y, std::span<const Co
   }
   const Vector shares = n == 1 ? Vector(away / effect(0, 0)) : Vector(effect.partialPivLu().solve(away));
   for (int k = 0; k < n; ++k) held.set_share(k, shares[k]);
-  eval_dynamics(*tables_, t, y, y + n_free_, latched, feedback_, target);
+  eval_dynamics(*tables_, t, y, y + n_free_, modes, feedback_, target);
 }
 
 void MotionEquations::update_arguments(double t, const double* q, const double* v, Workspace& target) noexcept {

@@ -46,11 +46,11 @@ struct ContactSample {
   double journal_depth = 0.0;
 };
 
-/// y = [q | v | bristles | energy integrals] and ẏ. Holds the latches and the workspace of one run.
+/// y = [q | v | bristles | energy integrals] and ẏ. Holds the contact modes and the workspace of one run.
 class MotionEquations {
  public:
   MotionEquations(const System& system, Feedback feedback)
-      : latches(system.tables.contacts.size()),
+      : contact_modes(system.tables.contacts.size()),
         workspace(system.tables),
         tables_(&system.tables),
         n_free_(static_cast<std::size_t>(system.tables.counts.n_free())),
@@ -83,14 +83,14 @@ class MotionEquations {
   }
 
   /// Evaluates any workspace with the pieces that it holds of the loads' formulas.
-  void eval_in(double t, const double* y, Workspace& target) noexcept { eval_in(t, y, latches, target); }
-  /// The same with contacts latched as they were at that time.
-  void eval_in(double t, const double* y, std::span<const ContactLatch> latched, Workspace& target) noexcept {
+  void eval_in(double t, const double* y, Workspace& target) noexcept { eval_in(t, y, contact_modes, target); }
+  /// The same with the contact modes of that time.
+  void eval_in(double t, const double* y, std::span<const ContactMode> modes, Workspace& target) noexcept {
     load_bristles(y, target);
     if (target.loads.held.n_slides > 0) {
-      eval_sliding(t, y, latched, target);
+      eval_sliding(t, y, modes, target);
     } else {
-      eval_dynamics(*tables_, t, y, y + n_free_, latched, feedback_, target);
+      eval_dynamics(*tables_, t, y, y + n_free_, modes, feedback_, target);
     }
   }
 
@@ -159,18 +159,18 @@ class MotionEquations {
   void find_argument_rates(double t, const double* y, std::span<const int> breaks, Workspace& target,
                            double* rates) noexcept;
 
-  void transfer(StateArchive& archive) { archive(latches, workspace, initial_energy); }
+  void transfer(StateArchive& archive) { archive(contact_modes, workspace, initial_energy); }
 
   /// A motion slides along so many breaks at once.
   static constexpr int kMostSlides = 8;
 
-  std::vector<ContactLatch> latches;
+  std::vector<ContactMode> contact_modes;
   Workspace workspace;
   double initial_energy = 0.0;  ///< [J] where the integrals are zero
   double time_scale = 1.0;      ///< [s] of a cycle
 
  private:
-  void eval_sliding(double t, const double* y, std::span<const ContactLatch> latched, Workspace& target) noexcept;
+  void eval_sliding(double t, const double* y, std::span<const ContactMode> modes, Workspace& target) noexcept;
   void update_arguments(double t, const double* q, const double* v, Workspace& target) noexcept;
 
   const Tables* tables_;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From step to step: steppers, latches, projection, strides.
+// From step to step: steppers, contact modes, projection, strides.
 #include "gudgeon/sim/motion_integrator.h"
 
 #include <algorithm>
@@ -129,7 +129,7 @@ void MotionIntegrator::choose_stepper() {
   if (last_step_ == 0.0) return;
   if (stepper_ == explicit_.get() && statistics_.accepted_steps % FastestRates::kEvery == 0) {
     rates_.note(last_step_, explicit_->find_stiffness(),
-                std::ranges::any_of(equations_.latches, &ContactLatch::in_contact));
+                std::ranges::any_of(equations_.contact_modes, &ContactMode::in_contact));
   }
   if (implicit_) choose_implicit();
   if (!explicit_ || !stiff_) return;
@@ -146,11 +146,11 @@ bool MotionIntegrator::calls_for_implicit() {
   if (!implicit_) return false;
   double stiffness = explicit_->find_stiffness();
   for (std::size_t k = 0; k < gaps_.size(); ++k) {
-    if (!equations_.latches[k].in_contact || !explicit_->turns_slip(k)) continue;
+    if (!equations_.contact_modes[k].in_contact || !explicit_->turns_slip(k)) continue;
     stiffness = std::max(stiffness, explicit_->dense().step() * implicit_->find_steepest_decay(k));
   }
   if (!implicit_watch_.note_explicit_step(stiffness)) return false;
-  return std::ranges::count(equations_.latches, true, &ContactLatch::in_contact) <= ContactResponse::kMost;
+  return std::ranges::count(equations_.contact_modes, true, &ContactMode::in_contact) <= ContactResponse::kMost;
 }
 
 void MotionIntegrator::choose_implicit() {
@@ -168,7 +168,7 @@ void MotionIntegrator::choose_implicit() {
 bool MotionIntegrator::advance(double milestone) {
   choose_stepper();
   n_evaluations_ = statistics_.evaluations;
-  if (changing_contact_) turn_latch(*std::exchange(changing_contact_, std::nullopt));
+  if (changing_contact_) switch_contact_mode(*std::exchange(changing_contact_, std::nullopt));
   if (changes_piece_) return change_pieces();
   if (pass_singular_position(milestone)) return true;
   // Steps that are kept to a share of the way to a singular position end on it: time has to go on.
@@ -226,22 +226,22 @@ bool MotionIntegrator::pass_singular_position(double milestone) {
   return true;
 }
 
-void MotionIntegrator::turn_latch(std::size_t k) {
-  ContactLatch& latch = equations_.latches[k];
+void MotionIntegrator::switch_contact_mode(std::size_t k) {
+  ContactMode& mode = equations_.contact_modes[k];
   passage_.forget();
   stiffness_watch_.forget();
   implicit_watch_.forget();
   if (explicit_) use(*explicit_);
   continues_ = false;
   const bool has_bristle = system_.tables.contacts[k].bristle >= 0;
-  if (latch.in_contact) {
-    latch = {};
+  if (mode.in_contact) {
+    mode = {};
     gaps_[k] = events_.find_gap(k, equations_.workspace);
     stepper_->forget_samples(k);  // the other stepper takes them over
     if (has_bristle) y_[equations_.bristle_at(k)] = 0.0;
     ++statistics_.separations;
   } else {
-    latch = {true, gaps_[k].penetration_rate};
+    mode = {true, gaps_[k].penetration_rate};
     stepper_->note_onset();
     ++statistics_.onsets;
   }
@@ -268,7 +268,7 @@ void MotionIntegrator::accept(double milestone) {
   changes_piece_ = landed_ > 0.0 && landed_ == h;
   // Gaps at a change of contact are where they have to be: its closures wait for the next step.
   if (!changing_contact_ && !changes_piece_ && settle() > 0)
-    events_.find_gaps(equations_.workspace, equations_.latches, end_gaps_);
+    events_.find_gaps(equations_.workspace, equations_.contact_modes, end_gaps_);
   std::swap(gaps_, end_gaps_);
   if (!changing_contact_) choose_rows();
   if (!stepper_->projects_closures()) {

@@ -29,7 +29,7 @@
 namespace gudgeon {
 
 /// Advances one motion. Steps are controlled by their local error and the energy balance; a contact's change ends its
-/// step, an onset being located just before the surfaces touch, and its speed latched; loop closures are
+/// step, an onset being located just before the surfaces touch, and its speed kept; loop closures are
 /// projected when they need it. Allocates nothing after construction, but where closure rows are exchanged.
 class MotionIntegrator {
  public:
@@ -48,9 +48,9 @@ class MotionIntegrator {
   /// Shorter steps than this [s] are given up.
   [[nodiscard]] double find_smallest_step() const noexcept { return gudgeon::find_smallest_step(time_, longest_step_); }
   [[nodiscard]] const std::vector<double>& y() const { return y_; }
-  /// ẏ there, with the latches of the step that ended.
+  /// ẏ there, with the contact modes of the step that ended.
   [[nodiscard]] const std::vector<double>& slope() const { return slope_; }
-  /// Equations, latches and workspace, evaluated at the end of the step.
+  /// Equations, contact modes and workspace, evaluated at the end of the step.
   [[nodiscard]] MotionEquations& equations() { return equations_; }
   [[nodiscard]] const std::vector<GapState>& gaps() const { return gaps_; }
   [[nodiscard]] const SolverStatistics& statistics() const { return statistics_; }
@@ -66,7 +66,7 @@ class MotionIntegrator {
   [[nodiscard]] const ContactSample& find_sample(int stage, std::size_t contact) const {
     return stepper_->find_sample(stage, contact);
   }
-  /// The contact that changes at the end of the step. Its latch is turned when the next step begins.
+  /// The contact that changes at the end of the step. Its mode is switched when the next step begins.
   [[nodiscard]] std::optional<std::size_t> changing_contact() const { return changing_contact_; }
   /// A closure that can no longer be kept closed: it is open by more than a millionth of the characteristic length, or
   /// off by more than a millionth of a radian.
@@ -106,7 +106,7 @@ class MotionIntegrator {
   void find_end_gaps();
   [[nodiscard]] bool is_gap_passed() const;
   bool land_on_change(const ContactChange& change);
-  void turn_latch(std::size_t contact);
+  void switch_contact_mode(std::size_t contact);
   bool end_at_break();
   bool sees_loads();
   bool land_on_break(const LoadBreaks::Leave& leave);
@@ -145,7 +145,7 @@ class MotionIntegrator {
   double time_ = 0.0;
   double last_step_ = 0.0;
   bool strode_ = false;     // over a singular position, in the last step
-  bool continues_ = false;  // the next step follows on the last one, with neither state nor latches changed
+  bool continues_ = false;  // the next step follows on the last one, with neither state nor contact modes changed
   std::vector<double> y_;
   std::vector<double> slope_;
   std::vector<GapState> gaps_;      // at the last accepted state

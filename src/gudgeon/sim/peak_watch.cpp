@@ -34,7 +34,7 @@ void PeakWatch::take_step(const MotionIntegrator& motion) {
     begin(motion);
     return;
   }
-  note_latches();
+  note_contact_modes();
   take_state(motion);
   look_into_short_contacts(motion);
 }
@@ -45,22 +45,22 @@ void PeakWatch::transfer(StateArchive& archive) {
 }
 
 // What has changed at the start of the step.
-void PeakWatch::note_latches() {
-  const std::vector<ContactLatch>& before = steps_.latches();
+void PeakWatch::note_contact_modes() {
+  const std::vector<ContactMode>& before = steps_.contact_modes();
   bool jumps = false;
   for (std::size_t k = 0; k < before.size(); ++k) {
-    if (before[k].in_contact == equations_.latches[k].in_contact) continue;
+    if (before[k].in_contact == equations_.contact_modes[k].in_contact) continue;
     jumps = jumps || system_.tables.contacts[k].steps_at_onset || system_.tables.contacts[k].bristle >= 0;
     search_.forget(n_watched_ + k);
   }
   if (jumps) begin_after_jump();
 }
 
-// Forces may have changed with the latches: the state stands once more, as the step began with it.
+// Forces may have changed with the contact modes: the state stands once more, as the step began with it.
 void PeakWatch::begin_after_jump() {
   const double time = steps_.time(0);
   std::ranges::copy(steps_.state(0), y_.begin());
-  eval(time, equations_.latches);
+  eval(time, equations_.contact_modes);
   const std::size_t n_free = equations_.n_free();
   for (std::size_t i = 0; i < n_free; ++i) {
     slope_[i] = y_[n_free + i];
@@ -72,16 +72,16 @@ void PeakWatch::begin_after_jump() {
   }
   steps_.clear();
   search_.interrupt();
-  steps_.note(time, y_, slope_, equations_.latches);
+  steps_.note(time, y_, slope_, equations_.contact_modes);
   recorder_.watch(time, scratch_);
-  read_row(scratch_, equations_.latches, search_.next_row());
+  read_row(scratch_, equations_.contact_modes, search_.next_row());
   search_.take(time);
 }
 
 void PeakWatch::take_state(const MotionIntegrator& motion) {
-  steps_.note(motion.time(), motion.y(), motion.slope(), equations_.latches);
+  steps_.note(motion.time(), motion.y(), motion.slope(), equations_.contact_modes);
   recorder_.watch(motion.time(), equations_.workspace, motion.gaps());
-  read_row(equations_.workspace, equations_.latches, search_.next_row());
+  read_row(equations_.workspace, equations_.contact_modes, search_.next_row());
   search_.take(motion.time());
 }
 
@@ -91,7 +91,7 @@ void PeakWatch::look_into_short_contacts(const MotionIntegrator& motion) {
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const double before = forces_[k];
     forces_[k] = equations_.workspace.contact_forces[k].normal_force;
-    if (!equations_.latches[k].in_contact || before > 0.0 || forces_[k] > 0.0) continue;
+    if (!equations_.contact_modes[k].in_contact || before > 0.0 || forces_[k] > 0.0) continue;
     double greatest = 0.0;
     std::size_t at = 0;
     for (std::size_t stage = 0; stage < nodes.size(); ++stage) {
@@ -102,25 +102,26 @@ void PeakWatch::look_into_short_contacts(const MotionIntegrator& motion) {
   }
 }
 
-void PeakWatch::eval(double time, const std::vector<ContactLatch>& latches) {
+void PeakWatch::eval(double time, const std::vector<ContactMode>& contact_modes) {
   scratch_.fit(system_.tables);
   scratch_.loads.held = equations_.workspace.loads.held;  // the same in all steps since the watch began
-  equations_.eval_in(time, y_.data(), latches, scratch_);
+  equations_.eval_in(time, y_.data(), contact_modes, scratch_);
 }
 
 void PeakWatch::measure(double time, std::span<double> row) {
   steps_.interpolate(time, y_.data());
-  const std::vector<ContactLatch>& latches = steps_.find_latches(time);
-  eval(time, latches);
+  const std::vector<ContactMode>& contact_modes = steps_.find_contact_modes(time);
+  eval(time, contact_modes);
   recorder_.watch_between(time, scratch_);
-  read_row(scratch_, latches, row);
+  read_row(scratch_, contact_modes, row);
 }
 
-void PeakWatch::read_row(const Workspace& workspace, const std::vector<ContactLatch>& latches, std::span<double> row) {
+void PeakWatch::read_row(const Workspace& workspace, const std::vector<ContactMode>& contact_modes,
+                         std::span<double> row) {
   std::ranges::copy(recorder_.watched_row(), row.begin());
-  for (std::size_t k = 0; k < latches.size(); ++k) {
-    const double force = latches[k].in_contact ? workspace.contact_forces[k].normal_force : 0.0;
-    if (latches[k].in_contact) history_.watch(k, force);
+  for (std::size_t k = 0; k < contact_modes.size(); ++k) {
+    const double force = contact_modes[k].in_contact ? workspace.contact_forces[k].normal_force : 0.0;
+    if (contact_modes[k].in_contact) history_.watch(k, force);
     row[n_watched_ + k] = force;
   }
 }

@@ -31,13 +31,13 @@ class PeakWatch {
   void transfer(StateArchive& archive);
 
  private:
-  void note_latches();
+  void note_contact_modes();
   void begin_after_jump();
   void take_state(const MotionIntegrator& motion);
   void look_into_short_contacts(const MotionIntegrator& motion);
-  void eval(double time, const std::vector<ContactLatch>& latches);
+  void eval(double time, const std::vector<ContactMode>& contact_modes);
   void measure(double time, std::span<double> row);
-  void read_row(const Workspace& workspace, const std::vector<ContactLatch>& latches, std::span<double> row);
+  void read_row(const Workspace& workspace, const std::vector<ContactMode>& contact_modes, std::span<double> row);
 
   const System& system_;
   MotionEquations& equations_;  // of the motion

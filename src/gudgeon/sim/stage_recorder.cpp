@@ -68,7 +68,7 @@ StageRecorder::Energies StageRecorder::find_energies(const Workspace& workspace)
           find_elastic_energy(workspace)};
 }
 
-void StageRecorder::sample(double time, Workspace& workspace, std::span<const ContactLatch> latches,
+void StageRecorder::sample(double time, Workspace& workspace, std::span<const ContactMode> contact_modes,
                            double initial_energy, const double* integrals) {
   find_penetrations(workspace);
   motion_.update(workspace);
@@ -82,7 +82,7 @@ void StageRecorder::sample(double time, Workspace& workspace, std::span<const Co
   snapshot_.potential = energies.potential;
   snapshot_.elastic = energies.elastic;
   snapshot_.initial_energy = initial_energy;
-  snapshot_.latches = latches;
+  snapshot_.contact_modes = contact_modes;
   snapshot_.reactions = &reaction_.reactions();
   snapshot_.integrals = integrals;
 

@@ -43,7 +43,7 @@ class StageRecorder {
   void reserve(std::size_t n_samples);
   /// Appends one sample of all channels; initial_energy [J] is that of the stage's start, integrals those carried
   /// along.
-  void sample(double time, Workspace& workspace, std::span<const ContactLatch> latches, double initial_energy,
+  void sample(double time, Workspace& workspace, std::span<const ContactMode> contact_modes, double initial_energy,
               const double* integrals);
   /// Takes one accepted step into the statistics of contacts, efforts and accelerations.
   void watch(double time, const Workspace& workspace, std::span<const GapState> gaps);

@@ -149,7 +149,7 @@ void StageRun::close_touching() {
     const GapState& gap = motion_.gaps()[k];
     if (!(gap.penetration > 0.0) || gap.penetration_rate < 0.0) continue;
     open_contact(k);
-    equations.latches[k] = {true, gap.penetration_rate};
+    equations.contact_modes[k] = {true, gap.penetration_rate};
     any = true;
   }
   if (!any) return;
@@ -195,7 +195,7 @@ void StageRun::accumulate_wear() {
 
 void StageRun::note_contact_change(std::size_t k) {
   const MotionEquations& equations = motion_.equations();
-  if (equations.latches[k].in_contact) {
+  if (equations.contact_modes[k].in_contact) {
     history_.end(k, motion_.time());
   } else {
     open_contact(k);
@@ -261,7 +261,7 @@ bool StageRun::sample_until(double time, const std::stop_token& stop) {
     const double* y = interpolated_.data();
     scratch_.fit(system_.tables);
     equations.eval_in(at, y, scratch_);
-    recorder_.sample(at, scratch_, equations.latches, initial_energies_.total(), y + equations.n_states());
+    recorder_.sample(at, scratch_, equations.contact_modes, initial_energies_.total(), y + equations.n_states());
   }
   return true;
 }
@@ -271,7 +271,7 @@ bool StageRun::fail_at_law_end() {
   constexpr double kNear = 1e-3;  // of the penetration there: steps had become shorter than it takes to get there
   const MotionEquations& equations = motion_.equations();
   for (std::size_t k = 0; k < motion_.gaps().size(); ++k) {
-    if (!equations.latches[k].in_contact) continue;
+    if (!equations.contact_modes[k].in_contact) continue;
     const Contact& contact = system_.tables.contacts[k];
     motion_.evaluate_again();
     const ContactGap& gap = equations.workspace.contact_forces[k].gap;
@@ -312,7 +312,7 @@ void StageRun::fail(const std::string& code, const std::string& reason) {
   std::size_t stiffest = n_contacts;
   for (std::size_t k = 0; k < n_contacts; ++k) {
     const double penetration = motion_.gaps()[k].penetration;
-    if (motion_.equations().latches[k].in_contact && penetration > deepest) deepest = penetration, stiffest = k;
+    if (motion_.equations().contact_modes[k].in_contact && penetration > deepest) deepest = penetration, stiffest = k;
   }
   motion_.evaluate_again();
   const bool is_singular = find_singular_closeness(system_.tables, motion_.equations().workspace) > kNearlySingular;
@@ -337,7 +337,7 @@ void StageRun::finish() {
   record_.cycles = static_cast<int>(std::max(0.0, now - warm_up_end_) / record_.cycle_time + 1e-9);
   for (std::size_t k = 0; k < motion_.gaps().size(); ++k) {
     const bool ended = motion_.changing_contact() == k;
-    if (motion_.equations().latches[k].in_contact && !ended) history_.end(k, now);
+    if (motion_.equations().contact_modes[k].in_contact && !ended) history_.end(k, now);
   }
   record_.events = std::move(history_.events());
   for (std::size_t g = 0; g < wear_.size(); ++g) {

@@ -13,22 +13,24 @@ StepHistory::StepHistory(const MotionEquations& equations)
   for (Entry& entry : entries_) {
     entry.y.resize(n_wanted_);
     entry.slope.resize(n_wanted_);
-    entry.latches = equations.latches;
+    entry.contact_modes = equations.contact_modes;
   }
 }
 
 void StepHistory::note(double time, const std::vector<double>& y, const std::vector<double>& slope,
-                       const std::vector<ContactLatch>& latches) {
+                       const std::vector<ContactMode>& contact_modes) {
   newest_ = (newest_ + 1) % kStates;
   n_states_ = std::min(n_states_ + 1, kStates);
   Entry& entry = entries_[newest_];
   entry.time = time;
   std::copy_n(y.begin(), n_wanted_, entry.y.begin());
   std::copy_n(slope.begin(), n_wanted_, entry.slope.begin());
-  std::ranges::copy(latches, entry.latches.begin());
+  std::ranges::copy(contact_modes, entry.contact_modes.begin());
 }
 
-const std::vector<ContactLatch>& StepHistory::find_latches(double time) const { return at(find_end(time)).latches; }
+const std::vector<ContactMode>& StepHistory::find_contact_modes(double time) const {
+  return at(find_end(time)).contact_modes;
+}
 
 void StepHistory::interpolate(double time, double* y) const noexcept {
   const int end_age = find_end(time);

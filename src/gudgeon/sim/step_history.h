@@ -13,8 +13,8 @@
 
 namespace gudgeon {
 
-/// Three accepted states in a row with their slopes, and the latches of the two steps between them. Allocates nothing
-/// after construction.
+/// Three accepted states in a row with their slopes, and the contact modes of the two steps between them. Allocates
+/// nothing after construction.
 class StepHistory {
  public:
   static constexpr int kStates = 3;
@@ -23,18 +23,18 @@ class StepHistory {
 
   /// Starts again: steps before are not looked back to.
   void clear() { n_states_ = 0; }
-  /// The end of a step taken with these latches; slope as far as coordinates, rates and bristles go.
+  /// The end of a step taken with these contact modes; slope as far as coordinates, rates and bristles go.
   void note(double time, const std::vector<double>& y, const std::vector<double>& slope,
-            const std::vector<ContactLatch>& latches);
+            const std::vector<ContactMode>& contact_modes);
 
   [[nodiscard]] int n_states() const { return n_states_; }
   /// [s] of a state, 0 the newest.
   [[nodiscard]] double time(int age) const { return at(age).time; }
   [[nodiscard]] const std::vector<double>& state(int age) const { return at(age).y; }
   /// Of the newest step.
-  [[nodiscard]] const std::vector<ContactLatch>& latches() const { return at(0).latches; }
-  /// Latches of the step that a time between the oldest and the newest state lies in.
-  [[nodiscard]] const std::vector<ContactLatch>& find_latches(double time) const;
+  [[nodiscard]] const std::vector<ContactMode>& contact_modes() const { return at(0).contact_modes; }
+  /// Contact modes of the step that a time between the oldest and the newest state lies in.
+  [[nodiscard]] const std::vector<ContactMode>& find_contact_modes(double time) const;
   /// Coordinates by the polynomial of degree 5 through values, rates and accelerations at both ends of the step, rates
   /// and bristles by that of degree 3 through values and slopes.
   void interpolate(double time, double* y) const noexcept;
@@ -43,12 +43,12 @@ class StepHistory {
 
  private:
   struct Entry {
-    void transfer(StateArchive& archive) { archive(time, y, slope, latches); }
+    void transfer(StateArchive& archive) { archive(time, y, slope, contact_modes); }
 
     double time = 0.0;  // [s]
     std::vector<double> y;
     std::vector<double> slope;
-    std::vector<ContactLatch> latches;  // of the step that ends here
+    std::vector<ContactMode> contact_modes;  // of the step that ends here
   };
   [[nodiscard]] const Entry& at(int age) const { return entries_[(newest_ + kStates - age) % kStates]; }
   [[nodiscard]] int find_end(double time) const { return n_states_ > 2 && time <= at(1).time ? 1 : 0; }

@@ -30,12 +30,12 @@ class Stepper {
         statistics_(statistics),
         end_(equations.size()),
         end_slope_(equations.size()),
-        samples_(n_stages, std::vector<ContactSample>(equations.latches.size())) {}
+        samples_(n_stages, std::vector<ContactSample>(equations.contact_modes.size())) {}
   virtual ~Stepper() = default;
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 
-  /// Where the next step starts. It continues the last one unless the state or the latches were changed since.
+  /// Where the next step starts. It continues the last one unless the state or the contact modes were changed since.
   virtual void begin(double time, const std::vector<double>& y, const std::vector<double>& slope, bool continues) = 0;
   /// Tries a step, at most `longest` and at most what is `left` [s] to the milestone, which is then hit exactly. False
   /// when it misses its tolerance; the next attempt is shorter.
@@ -101,14 +101,14 @@ class Stepper {
  protected:
   // The workspace was evaluated at this stage.
   void take_samples(int stage) noexcept {
-    for (std::size_t k = 0; k < equations_.latches.size(); ++k) {
-      if (equations_.latches[k].in_contact) samples_[stage][k] = equations_.find_sample(k);
+    for (std::size_t k = 0; k < equations_.contact_modes.size(); ++k) {
+      if (equations_.contact_modes[k].in_contact) samples_[stage][k] = equations_.find_sample(k);
     }
   }
   // The end of the last step is the start of the next.
   void pass_samples_on() noexcept {
-    for (std::size_t k = 0; k < equations_.latches.size(); ++k) {
-      if (equations_.latches[k].in_contact) samples_.front()[k] = samples_.back()[k];
+    for (std::size_t k = 0; k < equations_.contact_modes.size(); ++k) {
+      if (equations_.contact_modes[k].in_contact) samples_.front()[k] = samples_.back()[k];
     }
   }
 

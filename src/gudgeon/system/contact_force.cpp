@@ -35,11 +35,11 @@ std::vector<double> list_speeds(const AnyFriction& friction) {
       friction);
 }
 
-NormalContact make_normal_contact(const Contact& contact, const ContactLatch& latch, const ContactGap& gap) noexcept {
+NormalContact make_normal_contact(const Contact& contact, const ContactMode& mode, const ContactGap& gap) noexcept {
   constexpr double kTouching = std::numeric_limits<double>::min();  // [m] the least that counts as contact
   return {std::max(gap.penetration, kTouching),
           gap.penetration_rate,
-          std::max(latch.onset_speed, contact.onset_speed_floor),
+          std::max(mode.onset_speed, contact.onset_speed_floor),
           contact.stiffness_factor * std::sqrt(gap.relative_radius),
           contact.damping_factor,
           gap.bearing_radius,
@@ -124,20 +124,20 @@ double find_contact_modulus(const Material& bearing, const Material& journal) {
   return 1.0 / (compliance(bearing) + compliance(journal));
 }
 
-void update_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
+void update_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactMode& mode,
                            double bristle, ContactForces& forces) noexcept {
   const ContactGap& gap = forces.gap;
-  const bool presses = latch.in_contact && (contact.steps_at_onset || !(gap.penetration <= 0.0));  // NaN goes on
+  const bool presses = mode.in_contact && (contact.steps_at_onset || !(gap.penetration <= 0.0));  // NaN goes on
   if (!presses) {
     forces = ContactForces{.gap = gap};
-    if (latch.in_contact && contact.bristle >= 0) {
+    if (mode.in_contact && contact.bristle >= 0) {
       forces.bristle_rate = find_friction(contact.friction, find_slip_speed(gap, motion), bristle).bristle_rate;
     }
     return;
   }
 
   // Along the normal.
-  const NormalForce normal = find_normal_force(contact, make_normal_contact(contact, latch, gap));
+  const NormalForce normal = find_normal_force(contact, make_normal_contact(contact, mode, gap));
   forces.normal_force = normal.force;
   forces.elastic_energy = normal.elastic_energy;
   forces.damping_power = (normal.force - normal.elastic_force) * gap.penetration_rate;
@@ -170,12 +170,12 @@ void update_contact_forces(const Contact& contact, const RelativeMotion& motion,
   }
 }
 
-ContactSlopes find_contact_slopes(const Contact& contact, const ContactLatch& latch, double bristle,
+ContactSlopes find_contact_slopes(const Contact& contact, const ContactMode& mode, double bristle,
                                   const ContactForces& forces) noexcept {
   // Of the penetration and of the onset speed: differences then have eight digits.
   constexpr double kShare = 1e-6;
   const double slip = kSlipShare * contact.slip_scale;
-  const NormalContact at = make_normal_contact(contact, latch, forces.gap);
+  const NormalContact at = make_normal_contact(contact, mode, forces.gap);
   NormalContact deeper = at;
   NormalContact faster = at;
   deeper.penetration *= 1.0 + kShare;

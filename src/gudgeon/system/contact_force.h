@@ -50,13 +50,13 @@ struct Contact {
 };
 
 /// What changes only at accepted events: whether the surfaces are taken to touch, and how fast they met.
-struct ContactLatch {
+struct ContactMode {
   bool in_contact = false;
   double onset_speed = 0.0;  ///< δ̇₀ [m/s]
 };
 
 /// Gap, forces and powers of one contact at one instant; all zero but the gap in free flight. Where the
-/// surfaces of a latched contact stand a hair apart, before they touch or once they part, its bristle has its rate
+/// surfaces of an active contact stand a hair apart, before they touch or once they part, its bristle has its rate
 /// already, or still, and so has a force that begins with a step: within a step of the integrator neither jumps.
 struct ContactForces {
   ContactGap gap;
@@ -85,17 +85,17 @@ inline RelativeMotion find_contact_motion(const Contact& contact, const Coordina
           coordinates.angle_rate[contact.journal_turn]};
 }
 
-/// The forces of a contact that is latched. Both bodies feel equal and opposite forces at one common point in the
+/// The forces of an active contact. Both bodies feel equal and opposite forces at one common point in the
 /// middle of the overlap, so momentum and angular momentum are kept. Stiffness K = factor √R_r, eq. (35), with the
 /// local worn radii. bristle z [m] is the deflection of the contact's bristle, where its friction law has one. Eqs. (6)
 /// to (16) of the paper. forces.gap must be that of the motion; the rest is written.
-void update_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactLatch& latch,
+void update_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactMode& mode,
                            double bristle, ContactForces& forces) noexcept;
 
-inline ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& motion,
-                                         const ContactLatch& latch, double bristle = 0.0) noexcept {
+inline ContactForces find_contact_forces(const Contact& contact, const RelativeMotion& motion, const ContactMode& mode,
+                                         double bristle = 0.0) noexcept {
   ContactForces forces{.gap = find_gap(contact.surfaces, motion)};
-  update_contact_forces(contact, motion, latch, bristle, forces);
+  update_contact_forces(contact, motion, mode, bristle, forces);
   return forces;
 }
 
@@ -108,7 +108,7 @@ struct ContactSlopes {
 };
 
 /// By differences of the laws, at the forces that were last found for a contact that presses.
-ContactSlopes find_contact_slopes(const Contact& contact, const ContactLatch& latch, double bristle,
+ContactSlopes find_contact_slopes(const Contact& contact, const ContactMode& mode, double bristle,
                                   const ContactForces& forces) noexcept;
 
 /// Where the law of a contact ends, at the radii of its gap: nowhere for most.

@@ -51,19 +51,20 @@ void ContactResponse::add_direction(Workspace& workspace, const Contact& contact
   for (Eigen::Index i = 0; i < n_free_; ++i) responses_(i, column) = equations_[i];
 }
 
-ContactSlopes ContactResponse::find_slopes(std::size_t contact, std::span<const ContactLatch> latches,
+ContactSlopes ContactResponse::find_slopes(std::size_t contact, std::span<const ContactMode> contact_modes,
                                            const Workspace& workspace) const noexcept {
   const ContactForces& forces = workspace.contact_forces[contact];
   if (!(forces.normal_force > 0.0)) return {};
   const Contact& at = tables_->contacts[contact];
-  return find_contact_slopes(at, latches[contact], at.bristle < 0 ? 0.0 : workspace.bristles[at.bristle], forces);
+  return find_contact_slopes(at, contact_modes[contact], at.bristle < 0 ? 0.0 : workspace.bristles[at.bristle], forces);
 }
 
-void ContactResponse::weigh(double tau, std::span<const ContactLatch> latches, const Workspace& workspace) noexcept {
+void ContactResponse::weigh(double tau, std::span<const ContactMode> contact_modes,
+                            const Workspace& workspace) noexcept {
   const Eigen::Index rank = 2 * n_pressing_;
   weights_.setZero(rank, rank);
   for (int p = 0; p < n_pressing_; ++p) {
-    const ContactSlopes slopes = find_slopes(pressing_[p], latches, workspace);
+    const ContactSlopes slopes = find_slopes(pressing_[p], contact_modes, workspace);
     const double pressure = tau * (slopes.force_by_rate + tau * slopes.force_by_penetration);
     weights_(2 * p, 2 * p) = pressure;
     weights_(2 * p + 1, 2 * p) = slopes.coefficient * pressure;
@@ -122,11 +123,11 @@ double ContactResponse::find_steepest_decay(std::size_t contact, const Workspace
   return 0.0;
 }
 
-ContactRates ContactResponse::find_rates(std::span<const ContactLatch> latches,
+ContactRates ContactResponse::find_rates(std::span<const ContactMode> contact_modes,
                                          const Workspace& workspace) const noexcept {
   ContactRates rates;
   for (int p = 0; p < n_pressing_; ++p) {
-    const ContactSlopes slopes = find_slopes(pressing_[p], latches, workspace);
+    const ContactSlopes slopes = find_slopes(pressing_[p], contact_modes, workspace);
     const double normal = gains_(2 * p, 2 * p);
     const double tangential = gains_(2 * p + 1, 2 * p + 1);
     const double friction_by_slip = workspace.contact_forces[pressing_[p]].normal_force * slopes.coefficient_by_slip;

@@ -36,7 +36,7 @@ class ContactResponse {
   /// B and S B where the workspace was last evaluated, for the contacts that press there.
   void update(Workspace& workspace) noexcept;
   /// C for the time τ [s], with the forces of the workspace's last evaluation.
-  void weigh(double tau, std::span<const ContactLatch> latches, const Workspace& workspace) noexcept;
+  void weigh(double tau, std::span<const ContactMode> contact_modes, const Workspace& workspace) noexcept;
   /// Replaces what an acceleration lacks, f(a) − a, by (I − J)⁻¹ (f(a) − a); n_free components.
   void correct(double* residual) const noexcept;
 
@@ -47,7 +47,7 @@ class ContactResponse {
   [[nodiscard]] int n_pressing() const { return n_pressing_; }
 
   /// The fastest rates of the contacts that press, at the forces of the workspace.
-  [[nodiscard]] ContactRates find_rates(std::span<const ContactLatch> latches,
+  [[nodiscard]] ContactRates find_rates(std::span<const ContactMode> contact_modes,
                                         const Workspace& workspace) const noexcept;
 
   void transfer(StateArchive& archive);
@@ -60,7 +60,7 @@ class ContactResponse {
   void solve_for_forces() noexcept;
   void add_direction(Workspace& workspace, const Contact& contact, Eigen::Index column, Vec2 force,
                      double bearing_torque, double journal_torque) noexcept;
-  [[nodiscard]] ContactSlopes find_slopes(std::size_t contact, std::span<const ContactLatch> latches,
+  [[nodiscard]] ContactSlopes find_slopes(std::size_t contact, std::span<const ContactMode> contact_modes,
                                           const Workspace& workspace) const noexcept;
 
   const Tables* tables_;

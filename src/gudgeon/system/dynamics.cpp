@@ -55,13 +55,13 @@ constexpr int kRefinements = 2;
 
 // Residual correction with the matrix as it was before its elimination: near a singular position the error of the
 // accelerations then grows with the inverse of the distance, not with its square.
-void refine(const Tables& tables, double t, std::span<const ContactLatch> latches, Feedback feedback,
+void refine(const Tables& tables, double t, std::span<const ContactMode> contact_modes, Feedback feedback,
             Workspace& ws) noexcept {
   const auto n = static_cast<std::ptrdiff_t>(tables.n_solve);
   std::ranges::copy(ws.values, ws.factors.begin());
   std::copy_n(ws.equations.begin(), n, ws.solution.begin());
   for (int pass = 0; pass < kRefinements; ++pass) {
-    assemble_equations(tables, t, latches, feedback, ws);
+    assemble_equations(tables, t, contact_modes, feedback, ws);
     tables.elimination.subtract_product(ws.values.data(), ws.solution.data(), ws.equations.data());
     tables.elimination.solve(ws.factors.data(), ws.inverse_pivots.data(), ws.equations.data());
     for (std::ptrdiff_t i = 0; i < n; ++i) ws.solution[i] += ws.equations[i];
@@ -86,13 +86,13 @@ void find_efforts(const Tables& tables, Workspace& ws) noexcept {
 }  // namespace
 
 void eval_dynamics(const Tables& tables, double t, const double* q, const double* v,
-                   std::span<const ContactLatch> latches, Feedback feedback, Workspace& workspace) noexcept {
+                   std::span<const ContactMode> contact_modes, Feedback feedback, Workspace& workspace) noexcept {
   update_coordinates(tables, t, q, v, workspace.coordinates);
-  assemble_equations(tables, t, latches, feedback, workspace);
+  assemble_equations(tables, t, contact_modes, feedback, workspace);
   tables.elimination.factor_and_solve(workspace.values.data(), workspace.inverse_pivots.data(),
                                       workspace.equations.data());
   if (find_singular_closeness(tables, workspace) > kRefinedCloseness) {
-    refine(tables, t, latches, feedback, workspace);
+    refine(tables, t, contact_modes, feedback, workspace);
   }
   find_efforts(tables, workspace);
 }

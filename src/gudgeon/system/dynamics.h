@@ -32,11 +32,11 @@ inline RelativeMotion find_contact_motion(const Contact& contact, const Workspac
                              journal.velocity);
 }
 
-/// Solves [H Jᵀ; J 0] [q̈; −λ] = [Q; γ] for the state (t, q, v, workspace.bristles) with the given latches, one a
+/// Solves [H Jᵀ; J 0] [q̈; −λ] = [Q; γ] for the state (t, q, v, workspace.bristles) with the given contact modes, one a
 /// contact. Writes all of the workspace; the accelerations are workspace.equations[0 … n_free). No allocation, no
 /// exception.
 void eval_dynamics(const Tables& tables, double t, const double* q, const double* v,
-                   std::span<const ContactLatch> latches, Feedback feedback, Workspace& workspace) noexcept;
+                   std::span<const ContactMode> contact_modes, Feedback feedback, Workspace& workspace) noexcept;
 
 /// Closure gaps φ and rates φ̇ of a state, in workspace.closure_gap and closure_rate; needs update_coordinates.
 void update_closures(const Tables& tables, Workspace& workspace) noexcept;

@@ -75,19 +75,19 @@ void add_constant_loads(const Tables& tables, Workspace& ws) noexcept {
 }
 
 // All gaps before all forces: the long chains of operations of several contacts then run side by side.
-void add_contacts(const Tables& tables, std::span<const ContactLatch> latches, Workspace& ws) noexcept {
+void add_contacts(const Tables& tables, std::span<const ContactMode> contact_modes, Workspace& ws) noexcept {
   for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
-    if (!latches[k].in_contact) continue;
+    if (!contact_modes[k].in_contact) continue;
     const Contact& contact = tables.contacts[k];
     ws.contact_motions[k] = find_contact_motion(contact, ws);
     update_gap(contact.surfaces, ws.contact_motions[k], ws.contact_forces[k].gap);
   }
   for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
-    if (!latches[k].in_contact) continue;
+    if (!contact_modes[k].in_contact) continue;
     const Contact& contact = tables.contacts[k];
     const double bristle = contact.bristle < 0 ? 0.0 : ws.bristles[contact.bristle];
     ContactForces& forces = ws.contact_forces[k];
-    update_contact_forces(contact, ws.contact_motions[k], latches[k], bristle, forces);
+    update_contact_forces(contact, ws.contact_motions[k], contact_modes[k], bristle, forces);
     ws.touches[k] = true;
     ws.point_loads[contact.journal_row] += forces.force_on_journal;
     ws.point_loads[contact.bearing_row] -= forces.force_on_journal;
@@ -114,19 +114,19 @@ inline void hand_loads_down(const Tables& tables, const Workspace& ws, Vec2* loa
 }
 
 // All that acts at points; nothing is done for them where nothing acts.
-void add_forces_at_points(const Tables& tables, double t, std::span<const ContactLatch> latches,
+void add_forces_at_points(const Tables& tables, double t, std::span<const ContactMode> contact_modes,
                           Workspace& ws) noexcept {
   bool any = tables.loads.vary();
   for (std::size_t k = 0; k < tables.contacts.size(); ++k) {
-    any = any || latches[k].in_contact;
-    if (latches[k].in_contact || !ws.touches[k]) continue;
+    any = any || contact_modes[k].in_contact;
+    if (contact_modes[k].in_contact || !ws.touches[k]) continue;
     ws.contact_forces[k] = {};
     ws.touches[k] = false;
   }
   if (!any) return;
   update_point_motions(tables, ws);
   std::ranges::fill(ws.point_loads, Vec2{});
-  add_contacts(tables, latches, ws);
+  add_contacts(tables, contact_modes, ws);
   if (tables.loads.vary()) add_variable_loads(tables, t, ws);
   hand_loads_down(tables, ws, ws.point_loads.data(), ws.equations.data());
 }
@@ -240,14 +240,14 @@ void subtract_driven_accelerations(const Tables& tables, Workspace& ws) noexcept
 
 }  // namespace
 
-void assemble_equations(const Tables& tables, double t, std::span<const ContactLatch> latches, Feedback feedback,
+void assemble_equations(const Tables& tables, double t, std::span<const ContactMode> contact_modes, Feedback feedback,
                         Workspace& workspace) noexcept {
   std::ranges::copy(tables.constant_values, workspace.values.begin());
   std::ranges::fill(workspace.equations, 0.0);
   add_turn_pairs(tables, workspace);
   add_slide_pairs(tables, workspace);
   add_constant_loads(tables, workspace);
-  add_forces_at_points(tables, t, latches, workspace);
+  add_forces_at_points(tables, t, contact_modes, workspace);
   add_closures(tables, feedback, workspace);
   if (tables.drivers_accelerate) subtract_driven_accelerations(tables, workspace);
 }

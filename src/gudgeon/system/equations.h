@@ -12,7 +12,7 @@ namespace gudgeon {
 
 /// Writes [H Jᵀ; J 0] into workspace.values and [Q; γ] into workspace.equations for workspace.coordinates at time t,
 /// and all gaps, rates, contact forces and loads on the way.
-void assemble_equations(const Tables& tables, double t, std::span<const ContactLatch> latches, Feedback feedback,
+void assemble_equations(const Tables& tables, double t, std::span<const ContactMode> contact_modes, Feedback feedback,
                         Workspace& workspace) noexcept;
 
 /// Adds the virtual work of forces on the rows of the chain of points [N] to right-hand sides, at point motions that

@@ -13,9 +13,9 @@ bool rests_on_contacts(const System& system, const State& start) {
   constexpr double kRestRounding = 1e-9;
   Workspace workspace(system.tables);
   BodyMotionFinder finder(system);
-  std::vector<ContactLatch> latches(system.tables.contacts.size());
+  std::vector<ContactMode> contact_modes(system.tables.contacts.size());
   const auto find_acceleration = [&] {
-    eval_dynamics(system.tables, 0.0, start.q.data(), start.v.data(), latches, {}, workspace);
+    eval_dynamics(system.tables, 0.0, start.q.data(), start.v.data(), contact_modes, {}, workspace);
     const std::vector<BodyMotion>& motions = finder.update(workspace);
     double sum = 0.0;
     for (std::size_t b = 1; b < motions.size(); ++b) {
@@ -27,9 +27,9 @@ bool rests_on_contacts(const System& system, const State& start) {
   };
   const double free = find_acceleration();
   update_point_motions(system.tables, workspace);
-  for (std::size_t k = 0; k < latches.size(); ++k) {
+  for (std::size_t k = 0; k < contact_modes.size(); ++k) {
     const Contact& contact = system.tables.contacts[k];
-    latches[k].in_contact = find_gap(contact.surfaces, find_contact_motion(contact, workspace)).penetration > 0.0;
+    contact_modes[k].in_contact = find_gap(contact.surfaces, find_contact_motion(contact, workspace)).penetration > 0.0;
   }
   return find_acceleration() <= (1.0 + kRestRounding) * free;
 }

@@ -41,7 +41,7 @@ void require_accelerations(const Mechanism& mechanism, const Assembly& assembly)
   const System system = compile(mechanism, assembly);
   Workspace workspace(system.tables);
   const State state = make_state(system, assembly);
-  const std::vector<ContactLatch> open(system.tables.contacts.size());
+  const std::vector<ContactMode> open(system.tables.contacts.size());
   eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), open, {}, workspace);
   bool determined = true;
   for (int k = 0; k < system.tables.counts.n_free(); ++k) {

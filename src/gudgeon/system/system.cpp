@@ -65,7 +65,7 @@ System compile(const Mechanism& mechanism, const Assembly& assembly) {
   system.tables = compile_tables(mechanism, system.topology, &redundancy.active);
   if (redundancy.singular) return system;
   Workspace workspace(system.tables);
-  const std::vector<ContactLatch> open(system.tables.contacts.size());
+  const std::vector<ContactMode> open(system.tables.contacts.size());
   const auto evaluate = [&] { eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), open, {}, workspace); };
   evaluate();
   if (has_free_rows(system.tables)) {

@@ -55,7 +55,7 @@ struct Workspace {
   std::vector<double> bristles;    ///< z [m], part of the state: to be set before an evaluation
   std::vector<PointChain::PointMotion> point_motions;
   std::vector<Vec2> point_loads;                ///< force on each chain row [N]
-  std::vector<RelativeMotion> contact_motions;  ///< of contacts that are latched
+  std::vector<RelativeMotion> contact_motions;  ///< of active contacts
   std::vector<ContactForces> contact_forces;
   std::vector<char> touches;  ///< whether a contact's forces are other than all zero
   LoadScratch loads;
