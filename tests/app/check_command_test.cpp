@@ -63,11 +63,12 @@ TEST(CheckCommand, CaseAndSettingChangeTheModel) {
   EXPECT_THAT(set.out, HasSubstr("One cycle takes 0.25 s."));
 }
 
-TEST(CheckCommand, ExplainShowsDefaults) {
+TEST(CheckCommand, ResolvedModelShowsDefaults) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_program(folder, {"check", find_slider_crank(), "--explain"});
+  const Outcome outcome = run_program(folder, {"check", find_slider_crank(), "--resolved"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, HasSubstr("relative_tolerance"));
+  EXPECT_EQ(run_program(folder, {"check", find_slider_crank(), "--explain"}).out, outcome.out) << "its old name";
 }
 
 TEST(CheckCommand, ReportsAllErrorsAtOnce) {

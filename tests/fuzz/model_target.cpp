@@ -4,8 +4,8 @@
 // Any text as a model file: what is wrong is told; what is right reads back from its own explanation.
 #include <string>
 
-#include "gudgeon/io/explain.h"
 #include "gudgeon/io/model_reader.h"
+#include "gudgeon/io/resolved_model.h"
 #include "tests/fuzz/target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     render(in_case.diagnostics, in_case.source);
   }
   if (model.diagnostics.has_errors()) return 0;
-  const ModelFile again = read_model_text("explained.toml", explain(model.mechanism, model.study));
+  const ModelFile again = read_model_text("resolved.toml", write_resolved_model(model.mechanism, model.study));
   if (again.diagnostics.has_errors()) std::fputs(render(again.diagnostics, again.source).c_str(), stderr);
   fuzz::require(!again.diagnostics.has_errors(), "an explanation reads back");
   return 0;

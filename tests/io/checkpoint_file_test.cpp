@@ -19,7 +19,7 @@ using test::ScratchDirectory;
 
 RunRecord make_run_header() {
   RunRecord header;
-  header.explained = "study.cycles = 3";
+  header.resolved_model = "study.cycles = 3";
   header.program_version = "1.2.3";
   return header;
 }
@@ -47,7 +47,7 @@ TEST(CheckpointFile, OfAnotherRunOrDamagedIsRefused) {
   const RunRecord header = make_run_header();
   write_checkpoint(file, header, {{"wear_1", 1.5, 0, "state"}, ""});
   RunRecord other = header;
-  other.explained = "study.cycles = 4";
+  other.resolved_model = "study.cycles = 4";
   EXPECT_THROW((void)read_checkpoint(file, other), FileError);
   other = header;
   other.program_version = "1.2.4";

@@ -205,7 +205,7 @@ TEST(Damage, LinksToOtherFilesAreNotFollowed) {
               HasSubstr("member 'x' is a link to elsewhere"));
   EXPECT_THAT(read_changed([](const Hdf5Handle& root) {
                 remove_link(root, "model_text");
-                make_soft_link(root, "model_text", "/explained");
+                make_soft_link(root, "model_text", "/resolved_model");
               }),
               HasSubstr("dataset 'model_text' is a link to elsewhere"));
 }

@@ -19,6 +19,7 @@ TEST(FormatOne, IsReadWhole) {
   const RunRecord run = read_run(kFile);
   EXPECT_EQ(run.case_name, "base");
   EXPECT_EQ(run.model_text.substr(0, 15), "name = \"hammer\"");
+  EXPECT_EQ(run.resolved_model.substr(0, 15), "name = \"hammer\"");
   ASSERT_EQ(run.overrides.size(), 1u);
   EXPECT_EQ(run.overrides[0], (std::pair<std::string, std::string>{"study.cycles", "2"}));
   ASSERT_EQ(run.stages.size(), 3u);

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "gudgeon/io/explain.h"
 #include "gudgeon/io/model_reader.h"
 #include "gudgeon/io/model_remarks.h"
+#include "gudgeon/io/resolved_model.h"
 
 namespace gudgeon {
 namespace {
@@ -55,7 +55,7 @@ values = [1, "2 m"]
   EXPECT_EQ(old.study.wear_acceleration, 20.0);
   EXPECT_EQ(old.study.wear_distribution, WearDistribution::point);
   ASSERT_EQ(old.study.reference.size(), 1U);
-  EXPECT_EQ(explain(old.mechanism, old.study), explain(present.mechanism, present.study));
+  EXPECT_EQ(write_resolved_model(old.mechanism, old.study), write_resolved_model(present.mechanism, present.study));
   EXPECT_THAT(messages(old), HasSubstr("m.toml:6:1: remark R-FILE-002: 'study.regions' is now called 'study.cells'\n"
                                        "    6 | regions = 40\n      | ^^^^^^^\n"));
   EXPECT_THAT(messages(old), HasSubstr("m.toml:7:1: remark R-FILE-002: 'study.magnification' is now called "

@@ -30,8 +30,8 @@ RunRecord make_setting(const std::string& name, const std::string& setting, doub
   run.case_name = name;
   run.overrides.clear();
   // Longer than what lies in the file's first page.
-  for (int k = 0; k < 3000; ++k) run.explained += std::to_string(k * 7919 % 10007);
-  run.explained += " clearance " + setting;
+  for (int k = 0; k < 3000; ++k) run.resolved_model += std::to_string(k * 7919 % 10007);
+  run.resolved_model += " clearance " + setting;
   for (StageRecord& stage : run.stages) {
     for (const Channel& channel : stage.channels) {
       if (find_statistics(stage, channel.name) == nullptr) stage.statistics.push_back({channel.name});

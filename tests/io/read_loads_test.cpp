@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Loads, motions and functions: what the file says is what the model has, and explain says it again.
+// Loads, motions and functions: what the file says is what the model has, and the resolved model says it again.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "gudgeon/io/explain.h"
 #include "gudgeon/io/model_reader.h"
+#include "gudgeon/io/resolved_model.h"
 
 namespace gudgeon {
 namespace {
@@ -99,12 +99,12 @@ TEST(ReadLoads, TakesEveryTypeInSi) {
   EXPECT_EQ(std::get<Expression>(knee.motion).text, "a*sin(2*pi*f*t)");
 }
 
-TEST(ReadLoads, ExplainsWhatItCanReadAgain) {
+TEST(ReadLoads, ResolvedModelReadsBack) {
   const ModelFile model = read_model(kLoadedModel);
-  const std::string explained = explain(model.mechanism, model.study);
-  const ModelFile again = read_model(explained);
-  ASSERT_FALSE(again.diagnostics.has_errors()) << render(again.diagnostics, again.source) << explained;
-  EXPECT_EQ(explain(again.mechanism, again.study), explained);
+  const std::string resolved = write_resolved_model(model.mechanism, model.study);
+  const ModelFile again = read_model(resolved);
+  ASSERT_FALSE(again.diagnostics.has_errors()) << render(again.diagnostics, again.source) << resolved;
+  EXPECT_EQ(write_resolved_model(again.mechanism, again.study), resolved);
 }
 
 TEST(ReadLoads, TellsWhatIsWrongWithAFormula) {
@@ -165,7 +165,7 @@ TEST(ReadLoads, TakesFormulasThatLookLikeQuantities) {
   push.x = Expression{"2*t + b", {{"b", 0.1}, {"c", 3.0}}};
   Study study;
   study.cycle_time = 1.0;
-  const ModelFile back = read_model(explain(mechanism, study));
+  const ModelFile back = read_model(write_resolved_model(mechanism, study));
   ASSERT_FALSE(back.diagnostics.has_errors()) << render(back.diagnostics, back.source);
   EXPECT_EQ(std::get<Expression>(std::get<VariableTorque>(back.mechanism.loads[1].kind).torque).text, "(0.5)");
   const auto& again = std::get<VariableForce>(back.mechanism.loads[0].kind);

@@ -102,7 +102,7 @@ void expect_same_header(const RunRecord& a, const RunRecord& b) {
   EXPECT_EQ(a.model_text, b.model_text);
   EXPECT_EQ(a.case_name, b.case_name);
   EXPECT_EQ(a.overrides, b.overrides);
-  EXPECT_EQ(a.explained, b.explained);
+  EXPECT_EQ(a.resolved_model, b.resolved_model);
   EXPECT_EQ(a.program_version, b.program_version);
 }
 

@@ -48,7 +48,7 @@ std::vector<Piece> list_pieces() {
       {"attribute 'model_file' is missing", text("model_file", "m.toml")},
       {"attribute 'case_name' is missing", text("case_name", "base")},
       {"dataset 'model_text' is missing", [](auto& root) { write_text(root, "model_text", ""); }},
-      {"dataset 'explained' is missing", [](auto& root) { write_text(root, "explained", ""); }},
+      {"dataset 'resolved_model' is missing", [](auto& root) { write_text(root, "resolved_model", ""); }},
       {"table 'overrides' is missing", [](auto& root) { write_table(root, "overrides", kOverrideShape, nullptr, 0); }},
       {"group 'stages' is missing", [](auto& root) { make_group(make_group(root, "stages"), "no_wear"); }},
       {"dataset 'status' is missing", [](auto& root) { write_text(open_stage(root), "status", "stopped"); }},

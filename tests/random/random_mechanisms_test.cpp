@@ -17,8 +17,8 @@
 #include <thread>
 
 #include "gudgeon/analysis/energy_audit.h"
-#include "gudgeon/io/explain.h"
 #include "gudgeon/io/model_reader.h"
+#include "gudgeon/io/resolved_model.h"
 #include "gudgeon/sim/run_study.h"
 #include "gudgeon/system/body_motion.h"
 #include "tests/oracle/same_state.h"
@@ -159,7 +159,7 @@ bool check_run(const RandomModel& model) {
 
 bool check_seed(Family family, std::uint64_t seed) {
   const RandomModel model = make_model(family, seed);
-  const std::string text = explain(model.mechanism, model.study);
+  const std::string text = write_resolved_model(model.mechanism, model.study);
   SCOPED_TRACE("seed " + std::to_string(seed) + ":\n" + text);
   if (const char* folder = std::getenv("GUDGEON_RANDOM_MODELS")) {
     std::ofstream(fmt::format("{}/{}.toml", folder, model.mechanism.name)) << text;

@@ -15,7 +15,7 @@ class RunBytes {
  public:
   explicit RunBytes(const RunRecord& run) {
     for (const std::string* text :
-         {&run.model_file, &run.model_text, &run.case_name, &run.explained, &run.program_version}) {
+         {&run.model_file, &run.model_text, &run.case_name, &run.resolved_model, &run.program_version}) {
       add(*text);
     }
     for (const auto& [path, text] : run.overrides) {

@@ -88,7 +88,7 @@ inline StageRecord make_stage(const std::string& name) {
 
 /// "ideal", "no_wear" and "wear_1".
 inline RunRecord make_run() {
-  RunRecord run{"press.toml", "[mechanism]\nname = \"Presse für µm\"\n", "base", {}, "explained\n", "0.1.0", {}};
+  RunRecord run{"press.toml", "[mechanism]\nname = \"Presse für µm\"\n", "base", {}, "resolved\n", "0.1.0", {}};
   run.overrides = {{"joints.A.radial_clearance", "0.3 mm"}, {"study.cycles", "2"}};
   run.stages = {make_stage("ideal"), make_stage("no_wear"), make_stage("wear_1")};
   for (StageRecord& stage : run.stages) add_slider(stage, 0.1, stage.name == "ideal" ? 0.0 : 2e-4);

@@ -21,7 +21,7 @@
 #include "gudgeon/app/checkpoint_clock.h"
 #include "gudgeon/app/interruption.h"
 #include "gudgeon/base/diagnostics.h"
-#include "gudgeon/io/explain.h"
+#include "gudgeon/io/resolved_model.h"
 #include "gudgeon/io/run_reader.h"
 #include "gudgeon/io/run_verifier.h"
 #include "gudgeon/io/run_writer.h"
@@ -39,7 +39,7 @@ RunRecord make_header(const std::string& case_name, const ModelFile& model) {
   header.model_text = model.source.text;
   header.case_name = case_name;
   for (const Override& change : model.overrides) header.overrides.emplace_back(change.path, change.value);
-  header.explained = explain(model.mechanism, model.study);
+  header.resolved_model = write_resolved_model(model.mechanism, model.study);
   header.program_version = GUDGEON_VERSION;
   return header;
 }
@@ -65,7 +65,7 @@ void update_outcome(CaseRun& one, const StageRecord& stage) {
 RunRecord read_earlier_run(const CaseRun& one, const RunRecord& header, ProgressDisplay& display, int index) {
   if (!std::filesystem::exists(one.file)) return {};
   RunRecord earlier = read_run_outline(one.file);
-  if (earlier.explained != header.explained || earlier.program_version != header.program_version) {
+  if (earlier.resolved_model != header.resolved_model || earlier.program_version != header.program_version) {
     throw FileError(
         fmt::format("{} cannot be resumed: it was made from another model or by another version; "
                     "--overwrite runs the case anew",

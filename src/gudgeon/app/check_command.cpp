@@ -13,7 +13,7 @@
 #include "gudgeon/app/model_tables.h"
 #include "gudgeon/app/picture_files.h"
 #include "gudgeon/app/text_output.h"
-#include "gudgeon/io/explain.h"
+#include "gudgeon/io/resolved_model.h"
 #include "gudgeon/io/safe_file.h"
 #include "gudgeon/report/figures/function_figures.h"
 #include "gudgeon/report/plot/plot_figure.h"
@@ -30,7 +30,7 @@ namespace {
 struct CheckOptions {
   ModelOptions model;
   std::string case_name;
-  bool explain = false;
+  bool resolved = false;
   std::filesystem::path plots;
   bool overwrite = false;
 };
@@ -74,7 +74,7 @@ ExitCode run_check(const CheckOptions& options) {
   write_stdout(render(model.diagnostics, model.source));
   write_stdout(render_model_title(model) + "\n");
   write_stdout(tables);
-  if (options.explain) write_stdout("\n" + explain(model.mechanism, model.study));
+  if (options.resolved) write_stdout("\n" + write_resolved_model(model.mechanism, model.study));
   if (!options.plots.empty()) write_plots(options, model);
   return ExitCode::done;
 }
@@ -87,13 +87,14 @@ void add_check_command(CLI::App& program, Action& action) {
       program.add_subcommand("check", "Find all that is wrong in a model; count bodies, rows, degrees of freedom");
   add_model_options(*command, options->model);
   add_case_option(*command, options->case_name);
-  command->add_flag("--explain", options->explain, "Also print the model in SI with every default");
+  command->add_flag("--resolved,--explain", options->resolved,
+                    "Also print the resolved model: in SI, with every default");
   command
       ->add_option("--plots", options->plots, "Draw every formula and curve of loads and drivers into this directory")
       ->type_name("DIR");
   command->add_flag("--overwrite", options->overwrite, "Replace existing pictures");
   command->footer(
-      "\nExamples:\n  gudgeon check press.toml --case wide --explain\n  gudgeon check press.toml --plots curves\n");
+      "\nExamples:\n  gudgeon check press.toml --case wide --resolved\n  gudgeon check press.toml --plots curves\n");
   command->callback([options, &action] { action = [options] { return run_check(*options); }; });
 }
 

@@ -32,7 +32,7 @@ std::filesystem::path find_checkpoint_file(const std::filesystem::path& run_file
 void write_checkpoint(const std::filesystem::path& run_file, const RunRecord& header, const SavedCheckpoint& saved) {
   StateArchive archive;
   archive.require_text(header.program_version);
-  archive.require_text(header.explained);
+  archive.require_text(header.resolved_model);
   SavedCheckpoint copy = saved;
   transfer(archive, copy);
   write_whole(find_checkpoint_file(run_file), archive.seal());
@@ -52,7 +52,7 @@ std::optional<SavedCheckpoint> read_checkpoint(const std::filesystem::path& run_
   try {
     StateArchive archive(bytes);
     archive.require_text(header.program_version);
-    archive.require_text(header.explained);
+    archive.require_text(header.resolved_model);
     SavedCheckpoint saved;
     transfer(archive, saved);
     archive.expect_end();

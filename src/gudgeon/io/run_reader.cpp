@@ -63,7 +63,8 @@ auto read_in_stage(const std::string& name, Read read) {
   }
 }
 
-void check_format(const Hdf5Handle& root) {
+/// The version of the format; FileError when this program cannot read it.
+std::int64_t check_format(const Hdf5Handle& root) {
   if (!has_attribute(root, "format") || read_text_attribute(root, "format") != kRunFormat) {
     throw FileError("it is an HDF5 file of another program");
   }
@@ -71,16 +72,17 @@ void check_format(const Hdf5Handle& root) {
   if (version < 1 || version > kRunFormatVersion) {
     throw FileError(fmt::format("its format version is {}, this program reads 1 to {}", version, kRunFormatVersion));
   }
+  return version;
 }
 
 RunRecord read_header(const Hdf5Handle& root) {
-  check_format(root);
+  const std::int64_t version = check_format(root);
   RunRecord run;
   run.program_version = read_text_attribute(root, "program_version");
   run.model_file = read_text_attribute(root, "model_file");
   run.case_name = read_text_attribute(root, "case_name");
   run.model_text = read_text(root, "model_text");
-  run.explained = read_text(root, "explained");
+  run.resolved_model = read_text(root, version == 1 ? "explained" : "resolved_model");
   read_table(root, "overrides", kOverrideShape, [&](const void* bytes) {
     const auto& row = *static_cast<const OverrideRow*>(bytes);
     run.overrides.emplace_back(find_present_path(row.path == nullptr ? "" : row.path),

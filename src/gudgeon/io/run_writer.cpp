@@ -37,11 +37,11 @@ void write_header(const Hdf5Handle& root, const RunRecord& header) {
   write_text_attribute(root, "model_file", header.model_file);
   write_text_attribute(root, "case_name", header.case_name);
   // In the file's first page, by which a journal knows the file that it belongs to.
-  write_text_attribute(root, "model_key", fmt::format("{:016x}", find_stable_hash(header.explained)));
+  write_text_attribute(root, "model_key", fmt::format("{:016x}", find_stable_hash(header.resolved_model)));
   // What changes with every stage comes first: it then changes with the file's first page.
   make_group(root, "stages", kStagesAtFirst, 8);
   write_text(root, "model_text", header.model_text);
-  write_text(root, "explained", header.explained);
+  write_text(root, "resolved_model", header.resolved_model);
   std::vector<OverrideRow> overrides;
   for (const auto& [path, text] : header.overrides) overrides.push_back({path.c_str(), text.c_str()});
   write_table(root, "overrides", kOverrideShape, overrides.data(), overrides.size());

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "gudgeon/io/explain.h"
+#include "gudgeon/io/resolved_model.h"
 #include "gudgeon/library/model_content.h"
 
 namespace gudgeon {
@@ -65,7 +65,7 @@ std::vector<std::string> Model::case_names() const {
 
 std::string Model::warnings() const { return render(content_->file.diagnostics, content_->file.source); }
 
-std::string Model::resolved() const { return explain(content_->file.mechanism, content_->file.study); }
+std::string Model::resolved() const { return write_resolved_model(content_->file.mechanism, content_->file.study); }
 
 Model read_model(const std::filesystem::path& file, std::string_view case_name) {
   return Model(read_content(std::make_shared<const ModelDocument>(read_model_document(file)), case_name, {}));

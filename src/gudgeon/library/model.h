@@ -43,7 +43,7 @@ class Model {
   [[nodiscard]] std::vector<std::string> case_names() const;
   /// What is unwise in it, with file, line and column; empty when nothing is.
   [[nodiscard]] std::string warnings() const;
-  /// The model as a file in SI with every default, as `gudgeon check --explain` shows it.
+  /// The model as a file in SI with every default, as `gudgeon check --resolved` shows it.
   [[nodiscard]] std::string resolved() const;
 
   /// For run().

@@ -130,7 +130,7 @@ struct RunRecord {
   std::string model_text;  ///< verbatim
   std::string case_name;
   std::vector<std::pair<std::string, std::string>> overrides;  ///< path and text, in the order applied
-  std::string explained;                                       ///< the model in SI with every default
+  std::string resolved_model;                                  ///< the model in SI with every default
   std::string program_version;
   std::vector<StageRecord> stages;
 };

@@ -156,7 +156,7 @@ std::string render_repetition(const ReportCase& one) {
       "</details>\n<details><summary>The model in SI with every "
       "default</summary><pre><code>{}</code></pre></details>\n",
       escape_html(run.program_version), escape_html(make_command(run)), escape_html(run.model_file),
-      escape_html(run.model_text), escape_html(run.explained));
+      escape_html(run.model_text), escape_html(run.resolved_model));
 }
 
 }  // namespace gudgeon

@@ -13,6 +13,6 @@ namespace gudgeon {
 
 /// The model as a model file in SI units with every default written out. read_model_text() makes the same mechanism
 /// and study of it, bit by bit.
-std::string explain(const Mechanism& mechanism, const Study& study);
+std::string write_resolved_model(const Mechanism& mechanism, const Study& study);
 
 }  // namespace gudgeon

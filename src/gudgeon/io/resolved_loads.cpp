@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Functions, drivers and loads in the words that the reader reads.
-#include "gudgeon/io/explain_loads.h"
+#include "gudgeon/io/resolved_loads.h"
 
 #include <algorithm>
 #include <initializer_list>

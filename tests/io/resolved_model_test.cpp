@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A model written out reads back as it was, bit by bit.
-#include "gudgeon/io/explain.h"
+#include "gudgeon/io/resolved_model.h"
 
 #include <gtest/gtest.h>
 
@@ -43,17 +43,17 @@ Mechanism make_every_kind() {
   return mechanism;
 }
 
-TEST(Explain, WritesEveryKindSoThatItReadsBack) {
+TEST(ResolvedModel, WritesEveryKindSoThatItReadsBack) {
   const Mechanism mechanism = make_every_kind();
   Study study;
   study.cycle_time = 0.7;
   study.wear_acceleration = 1e5;
   study.stabilization = Stabilization::baumgarte;
   study.reference = {{"q", "A", "peak", {1.0, -2.5e-7}}};
-  const std::string text = explain(mechanism, study);
-  const ModelFile back = read_model_text("explained.toml", text);
+  const std::string text = write_resolved_model(mechanism, study);
+  const ModelFile back = read_model_text("resolved.toml", text);
   EXPECT_FALSE(back.diagnostics.has_errors()) << render(back.diagnostics, back.source) << text;
-  EXPECT_EQ(explain(back.mechanism, back.study), text);
+  EXPECT_EQ(write_resolved_model(back.mechanism, back.study), text);
   EXPECT_EQ(back.mechanism.description, mechanism.description);
   EXPECT_EQ(back.mechanism.gravity, mechanism.gravity);
   EXPECT_EQ(back.mechanism.bodies[1].mass, mechanism.bodies[1].mass);
@@ -74,7 +74,7 @@ TEST(Explain, WritesEveryKindSoThatItReadsBack) {
   EXPECT_EQ(back.study.reference[0].values, study.reference[0].values);
 }
 
-TEST(Explain, WritesNestedDampingSoThatItReadsBack) {
+TEST(ResolvedModel, WritesNestedDampingSoThatItReadsBack) {
   Mechanism mechanism = make_every_kind();
   Study study;
   study.cycle_time = 0.7;
@@ -84,36 +84,36 @@ TEST(Explain, WritesNestedDampingSoThatItReadsBack) {
   for (const AnyNormalForce& law :
        {AnyNormalForce{johnson}, AnyNormalForce{Persson{}}, AnyNormalForce{KelvinVoigt{1e7 / 3.0, 20.0}}}) {
     pin.contact.normal_force = law;
-    const std::string text = explain(mechanism, study);
-    const ModelFile back = read_model_text("explained.toml", text);
+    const std::string text = write_resolved_model(mechanism, study);
+    const ModelFile back = read_model_text("resolved.toml", text);
     EXPECT_FALSE(back.diagnostics.has_errors()) << render(back.diagnostics, back.source) << text;
-    EXPECT_EQ(explain(back.mechanism, back.study), text);
+    EXPECT_EQ(write_resolved_model(back.mechanism, back.study), text);
   }
   pin.contact.normal_force = johnson;
-  const ModelFile back = read_model_text("explained.toml", explain(mechanism, study));
+  const ModelFile back = read_model_text("resolved.toml", write_resolved_model(mechanism, study));
   const auto& read = std::get<Johnson>(std::get<RevoluteClearance>(back.mechanism.joints[1].kind).contact.normal_force);
   EXPECT_EQ(std::get<ExactRestitutionDamping>(read.damping).restitution, 1.0 / 3.0);
 }
 
-TEST(Explain, WritesOutDefaults) {
-  const std::string text = explain(make_every_kind(), {});
+TEST(ResolvedModel, WritesOutDefaults) {
+  const std::string text = write_resolved_model(make_every_kind(), {});
   for (const char* line : {"relative_tolerance = 1e-06", "warm_up_cycles = 0", "wear_distribution = \"spread\"",
                            "onset_speed_floor = \"0.001 m/s\"", "normal_direction = \"gap_gradient\""}) {
     EXPECT_NE(text.find(line), std::string::npos) << line;
   }
 }
 
-TEST(Explain, EveryExampleReadsBack) {
+TEST(ResolvedModel, EveryExampleReadsBack) {
   int n_examples = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(GUDGEON_SOURCE_DIR "/examples")) {
     if (entry.path().extension() != ".toml") continue;
     ++n_examples;
     const ModelFile model = read_model(entry.path());
     EXPECT_EQ(render(model.diagnostics, model.source), "");
-    const std::string text = explain(model.mechanism, model.study);
-    const ModelFile back = read_model_text("explained.toml", text);
+    const std::string text = write_resolved_model(model.mechanism, model.study);
+    const ModelFile back = read_model_text("resolved.toml", text);
     EXPECT_EQ(render(back.diagnostics, back.source), "");
-    EXPECT_EQ(explain(back.mechanism, back.study), text);
+    EXPECT_EQ(write_resolved_model(back.mechanism, back.study), text);
     EXPECT_EQ(back.study.cycle_time, model.study.cycle_time);
   }
   EXPECT_GE(n_examples, 7);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Texts and numbers as TOML spells them.
-#include "gudgeon/io/explain_text.h"
+#include "gudgeon/io/toml_lines.h"
 
 #include <cmath>
 

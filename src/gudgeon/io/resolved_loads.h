@@ -4,7 +4,7 @@
 // Drivers and loads as sections of a model file.
 #pragma once
 
-#include "gudgeon/io/explain_text.h"
+#include "gudgeon/io/toml_lines.h"
 #include "gudgeon/model/driver.h"
 #include "gudgeon/model/load.h"
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Mechanism and study as a model file; contacts and materials come out of the joints that hold them.
-#include "gudgeon/io/explain.h"
+#include "gudgeon/io/resolved_model.h"
 
 #include <optional>
 
-#include "gudgeon/io/explain_loads.h"
-#include "gudgeon/io/explain_text.h"
 #include "gudgeon/io/read_sections.h"
+#include "gudgeon/io/resolved_loads.h"
+#include "gudgeon/io/toml_lines.h"
 #include "gudgeon/laws/law.h"
 
 namespace gudgeon {
@@ -232,7 +232,7 @@ void write_study(const Study& study, TomlLines& out) {
 
 }  // namespace
 
-std::string explain(const Mechanism& mechanism, const Study& study) {
+std::string write_resolved_model(const Mechanism& mechanism, const Study& study) {
   TomlLines out;
   out.line("name", toml_text(mechanism.name));
   out.line("description", toml_text(mechanism.description));
