@@ -36,7 +36,7 @@ class SliderCrank {
     slope[3] = at.force.x / kSliderMass;
   }
 
-  void find_gaps(double t, const double* y, std::span<textbook::GapWatch> gaps) const noexcept {
+  void find_gaps(double t, const double* y, std::span<textbook::GapSample> gaps) const noexcept {
     const Pin pin = find_pin(t, y);
     const double eccentricity = norm(pin.offset);
     gaps[0] = {eccentricity - kClearance, eccentricity > 0.0 ? dot(pin.offset, pin.velocity) / eccentricity : 0.0};

@@ -12,7 +12,7 @@
 
 namespace gudgeon::bench {
 
-using textbook::GapWatch;
+using textbook::GapSample;
 
 /// Regula falsi with halving (Illinois) of a continuous f with a sign change in [a, b].
 template <class Function>
@@ -99,16 +99,16 @@ class EventSearch {
   }
 
   template <class Interpolate>
-  GapWatch look(std::size_t k, double t, Interpolate&& interpolate) {
+  GapSample look(std::size_t k, double t, Interpolate&& interpolate) {
     interpolate(t, y_.data());
     equations_.find_gaps(t, y_.data(), looked_);
     return looked_[k];
   }
 
   Equations& equations_;
-  std::vector<GapWatch> start_;
-  std::vector<GapWatch> end_;
-  std::vector<GapWatch> looked_;
+  std::vector<GapSample> start_;
+  std::vector<GapSample> end_;
+  std::vector<GapSample> looked_;
   std::vector<double> y_;
 };
 

@@ -44,7 +44,7 @@ void MaximalForm::eval(double t, const double* y, double* slope) {
   slope[n_states()] = power;
 }
 
-void MaximalForm::find_gaps(double /*t*/, const double* y, std::span<GapWatch> gaps) {
+void MaximalForm::find_gaps(double /*t*/, const double* y, std::span<GapSample> gaps) {
   move_bodies(y);
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const ContactGap gap = find_gap(pairs_[k].contact.surfaces, find_relative_motion(pairs_[k]));

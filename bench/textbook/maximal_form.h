@@ -37,7 +37,7 @@ struct Constraint {
 };
 
 /// A gap as an integrator watches it.
-struct GapWatch {
+struct GapSample {
   double penetration = 0.0;       ///< [m]
   double penetration_rate = 0.0;  ///< [m/s]
 };
@@ -59,7 +59,7 @@ class MaximalForm {
 
   /// No allocation with the dense solver.
   void eval(double t, const double* y, double* slope);
-  void find_gaps(double t, const double* y, std::span<GapWatch> gaps);
+  void find_gaps(double t, const double* y, std::span<GapSample> gaps);
   /// Kinetic, potential and elastic energy [J].
   [[nodiscard]] double find_energy(double t, const double* y);
 

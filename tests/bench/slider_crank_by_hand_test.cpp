@@ -42,7 +42,7 @@ void expect_same_slider(double friction, bool in_contact) {
     const double scale = std::max(std::abs(engine.slope[2]), std::abs(engine.slope[3]));
     EXPECT_NEAR(slope[2], engine.slope[2 + rod.turn], kSliderTolerance * scale);
     EXPECT_NEAR(slope[3], engine.slope[3 - rod.turn], kSliderTolerance * scale);
-    std::array<textbook::GapWatch, 1> gaps;
+    std::array<textbook::GapSample, 1> gaps;
     by_hand.find_gaps(0.0, y.data(), gaps);
     Workspace& at = engine.equations.workspace;
     update_point_motions(engine.system.tables, at);

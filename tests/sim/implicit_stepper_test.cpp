@@ -185,7 +185,7 @@ TEST(ImplicitStepper, AStateWithoutASlopeIsRejected) {
   EXPECT_LT(stepper.next_step(), 1e-6);
 }
 
-// Landing looks at the workspace: it must not find there what a stage was before it was given up.
+// Event location looks at the workspace: it must not find there what a stage was before it was given up.
 TEST(ImplicitStepper, AStepThatCannotBeSolvedEndsNowhere) {
   Press press;
   ImplicitStepper stepper(press.equations, press.statistics, press.tolerance, kFirstStep);

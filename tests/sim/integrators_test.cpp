@@ -58,7 +58,7 @@ Mechanism make_bristled() {
   return mechanism;
 }
 
-// The press of the paper with bristles: a straight bristle at every onset, and closures that a landing must keep.
+// The press of the paper with bristles: a straight bristle at every onset, and closures that event location must keep.
 Mechanism make_bristled_press(double bristle_damping) {
   Mechanism press = oracle::make_nine_bar();
   Lugre law;

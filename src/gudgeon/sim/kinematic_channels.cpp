@@ -66,9 +66,9 @@ std::string name_transmission(const KinematicSolver& solver, const LoopFold& fol
          (solver.folds().has_guide(fold) ? ".pressure_angle" : ".transmission_angle");
 }
 
-KinematicChannels::KinematicChannels(KinematicSolver& solver, MotionWatch& watch)
+KinematicChannels::KinematicChannels(KinematicSolver& solver, MotionProbe& probe)
     : solver_(&solver),
-      watch_(&watch),
+      probe_(&probe),
       recorder_(solver.system()),
       channels_(list_channels(solver)),
       values_(channels_.size()) {}
@@ -80,14 +80,14 @@ void KinematicChannels::sample() {
   std::size_t next = 0;
   for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
     if (!has_line(mechanism.joints[j].kind)) continue;
-    const SlideMotion slide = watch_->find_slide(static_cast<int>(j));
+    const SlideMotion slide = probe_->find_slide(static_cast<int>(j));
     for (const double value : {slide.displacement, slide.speed, slide.acceleration}) values_[next++].push_back(value);
   }
   for (std::size_t d = 0; d < mechanism.drivers.size(); ++d) {
-    values_[next++].push_back(watch_->find_driver_value(static_cast<int>(d)));
+    values_[next++].push_back(probe_->find_driver_value(static_cast<int>(d)));
   }
   for (const LoopFold& fold : solver_->folds().folds()) {
-    if (fold.is_dyad) values_[next++].push_back(watch_->find_transmission(fold));
+    if (fold.is_dyad) values_[next++].push_back(probe_->find_transmission(fold));
   }
 }
 

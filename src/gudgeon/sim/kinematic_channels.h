@@ -4,7 +4,7 @@
 // The channels of a kinematic analysis: those of a run, and motions of guides, values of drivers, transmission angles.
 #pragma once
 
-#include "gudgeon/sim/motion_watch.h"
+#include "gudgeon/sim/motion_probe.h"
 #include "gudgeon/sim/stage_recorder.h"
 
 namespace gudgeon {
@@ -15,16 +15,16 @@ std::string name_transmission(const KinematicSolver& solver, const LoopFold& fol
 class KinematicChannels {
  public:
   /// Keeps references to both.
-  KinematicChannels(KinematicSolver& solver, MotionWatch& watch);
+  KinematicChannels(KinematicSolver& solver, MotionProbe& probe);
 
-  /// Appends one sample of the solver's point, which the watch has taken over.
+  /// Appends one sample of the solver's point, which the probe has taken over.
   void sample();
   /// Moves what was recorded into the stage, with statistics of the samples.
   void finish(StageRecord& stage);
 
  private:
   KinematicSolver* solver_;
-  MotionWatch* watch_;
+  MotionProbe* probe_;
   StageRecorder recorder_;
   std::vector<Channel> channels_;            // beside the recorder's
   std::vector<std::vector<double>> values_;  // one a channel

@@ -32,10 +32,10 @@ class CycleRun {
         looks_((kLeastLooks + plan.samples - 1) / plan.samples),
         solver_(mechanism),
         driver_(find_driver()),
-        watch_(solver_, driver_),
-        channels_(solver_, watch_),
+        probe_(solver_, driver_),
+        channels_(solver_, probe_),
         length_(find_characteristic_length(solver_.system().mechanism)),
-        coordinates_(watch_.list_coordinates()) {
+        coordinates_(probe_.list_coordinates()) {
     rates_.resize(coordinates_.size());
     folds_.resize(solver_.folds().folds().size());
     transmissions_.resize(folds_.size());
@@ -89,10 +89,10 @@ class CycleRun {
   [[nodiscard]] double find_look_time(int i) const { return plan_.cycle_time * i / (plan_.samples * looks_); }
 
   void look() {
-    watch_.update();
+    probe_.update();
     points_.push_back(solver_.point());
     for (std::size_t k = 0; k < coordinates_.size(); ++k) {
-      rates_[k].push_back(watch_.find_rate(coordinates_[k]));
+      rates_[k].push_back(probe_.find_rate(coordinates_[k]));
       largest_rate_ = std::max(largest_rate_, std::abs(rates_[k].back()) / find_unit(coordinates_[k]));
     }
     const CoordinateCounts& counts = solver_.system().tables.counts;
@@ -103,13 +103,13 @@ class CycleRun {
     }
     for (std::size_t f = 0; f < folds_.size(); ++f) {
       const LoopFold& fold = solver_.folds().folds()[f];
-      folds_[f].push_back(watch_.find_fold(fold));
-      if (fold.is_dyad) transmissions_[f].push_back(watch_.find_transmission(fold));
+      folds_[f].push_back(probe_.find_fold(fold));
+      if (fold.is_dyad) transmissions_[f].push_back(probe_.find_transmission(fold));
     }
   }
 
   // What a coordinate is measured in: 1 rad, or the characteristic length [m].
-  [[nodiscard]] double find_unit(MotionWatch::Coordinate coordinate) const {
+  [[nodiscard]] double find_unit(MotionProbe::Coordinate coordinate) const {
     return coordinate.body >= 0 ? 1.0 : length_;
   }
 
@@ -117,10 +117,10 @@ class CycleRun {
     const MotionFailure& failure = *solver_.failure();
     record_.motion.status = StageStatus::failed;
     record_.failure_time = failure.time;
-    watch_.update();
+    probe_.update();
     std::string where = failure.where.empty() ? std::string() : ", " + failure.where;
     if (driver_ >= 0) {
-      const double value = watch_.find_driver_value(driver_);
+      const double value = probe_.find_driver_value(driver_);
       where += record_.driver_unit == "rad"
                    ? fmt::format(", driver '{}' at {:.6g} deg", record_.driver, 180.0 / std::numbers::pi * value)
                    : fmt::format(", driver '{}' at {:.6g} mm", record_.driver, 1e3 * value);
@@ -142,18 +142,18 @@ class CycleRun {
   }
 
   void find_dead_centres(std::size_t k) {
-    const MotionWatch::Coordinate coordinate = coordinates_[k];
+    const MotionProbe::Coordinate coordinate = coordinates_[k];
     const double nothing = kNothing * largest_rate_ * find_unit(coordinate);
     for (const SignChange& change : list_sign_changes(rates_[k], rates_[k].size(), nothing)) {
-      const auto rate = [&] { return watch_.find_rate(coordinate); };
-      if (!watch_.move_to_zero(rate, points_[change.before], points_[change.after].time)) continue;
+      const auto rate = [&] { return probe_.find_rate(coordinate); };
+      if (!probe_.move_to_zero(rate, points_[change.before], points_[change.after].time)) continue;
       // Just beyond the end is the beginning of the next cycle.
       const double interval = plan_.cycle_time / (plan_.samples * looks_);
-      if (watch_.find_time().time > record_.motion.end_time + 1e-6 * interval) continue;
+      if (probe_.find_time().time > record_.motion.end_time + 1e-6 * interval) continue;
       const bool is_body = coordinate.body >= 0;
       record_.dead_centres.push_back(
           {is_body ? mechanism().bodies[coordinate.body].name : mechanism().joints[coordinate.joint].name,
-           is_body ? "rad" : "m", watch_.find_time(), watch_.find_value(coordinate), change.falls});
+           is_body ? "rad" : "m", probe_.find_time(), probe_.find_value(coordinate), change.falls});
     }
   }
 
@@ -184,36 +184,36 @@ class CycleRun {
     TransmissionRange range{find_joint_name(fold), solver_.folds().has_guide(fold), 0.0, {}, 0.0, {}};
     const auto [least, greatest] = std::ranges::minmax_element(values);
     move_to_extreme(fold, 1.0, static_cast<std::size_t>(least - values.begin()), values.size());
-    range.least = watch_.find_transmission(fold), range.least_at = watch_.find_time();
+    range.least = probe_.find_transmission(fold), range.least_at = probe_.find_time();
     move_to_extreme(fold, -1.0, static_cast<std::size_t>(greatest - values.begin()), values.size());
-    range.greatest = watch_.find_transmission(fold), range.greatest_at = watch_.find_time();
+    range.greatest = probe_.find_transmission(fold), range.greatest_at = probe_.find_time();
     record_.transmissions.push_back(std::move(range));
   }
 
   void move_to_extreme(const LoopFold& fold, double sign, std::size_t at, std::size_t n) {
     solver_.return_to(points_[at]);
-    watch_.update();
-    const double value = sign * watch_.find_transmission(fold);
+    probe_.update();
+    const double value = sign * probe_.find_transmission(fold);
     const std::size_t low = at > 0 ? at - 1 : 0;
     const std::size_t high = std::min(at + 1, n - 1);
-    const bool found = low < high && watch_.move_to_least_transmission(fold, sign, points_[low], points_[high].time);
+    const bool found = low < high && probe_.move_to_least_transmission(fold, sign, points_[low], points_[high].time);
     // The point stays where nothing near it goes further: at an end, at a kink, on a plateau.
-    if (found && sign * watch_.find_transmission(fold) < value) return;
+    if (found && sign * probe_.find_transmission(fold) < value) return;
     solver_.return_to(points_[at]);
-    watch_.update();
+    probe_.update();
   }
 
   // Where loops imply each other, one may pass its straight fold while the others lead it on: no branch ends there.
   void find_branch_changes(std::size_t f) {
     if (has_free_rows(solver_.system().tables)) return;
     const LoopFold& fold = solver_.folds().folds()[f];
-    const auto side = [&] { return watch_.find_fold(fold); };
+    const auto side = [&] { return probe_.find_fold(fold); };
     if (points_.empty()) return;
     double peak = 0.0;
     for (const double value : folds_[f]) peak = std::max(peak, std::abs(value));
     for (const SignChange& change : list_sign_changes(folds_[f], count_points(), kNothing * peak)) {
-      if (!watch_.move_to_zero(side, points_[change.before], points_[change.after].time)) continue;
-      record_.branch_changes.push_back({find_joint_name(fold), watch_.find_time(), !change.falls});
+      if (!probe_.move_to_zero(side, points_[change.before], points_[change.after].time)) continue;
+      record_.branch_changes.push_back({find_joint_name(fold), probe_.find_time(), !change.falls});
     }
   }
 
@@ -233,11 +233,11 @@ class CycleRun {
   KinematicRecord record_;
   KinematicSolver solver_;
   int driver_;
-  MotionWatch watch_;
+  MotionProbe probe_;
   KinematicChannels channels_;
   double length_;              // [m] characteristic
   double largest_rate_ = 0.0;  // [rad/s] of any coordinate or driver, displacements as shares of the length
-  std::vector<MotionWatch::Coordinate> coordinates_;
+  std::vector<MotionProbe::Coordinate> coordinates_;
   std::vector<MotionPoint> points_;                 // looked at: samples, points between them, and one beyond the end
   std::vector<std::vector<double>> rates_;          // one a coordinate and point
   std::vector<std::vector<double>> folds_;          // sines, one a fold and point

@@ -21,8 +21,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A change of piece is found to this share of a cycle, or to what rounding leaves of the time.
 constexpr double kWindowShare = 1e-11;
 constexpr double kRoundings = 8.0;
-// A landing ends within the window past a break; this many windows ahead the motion is in the next piece. Where that
-// turns out wrong, as where an argument creeps, it looks ten times farther each time.
+// A located step ends within the window past a break; this many windows ahead the motion is in the next piece. Where
+// that turns out wrong, as where an argument creeps, it looks ten times farther each time.
 constexpr double kWindowsAhead = 4.0;
 constexpr double kFarther = 10.0;
 constexpr int kMostStalls = 6;

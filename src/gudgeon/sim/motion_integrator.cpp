@@ -134,8 +134,8 @@ void MotionIntegrator::choose_stepper() {
   if (implicit_) choose_implicit();
   if (!explicit_ || !stiff_) return;
   if (stepper_ == explicit_.get()) {
-    if (stiffness_watch_.note_explicit_step(last_step_, explicit_->find_stiffness())) use(*stiff_);
-  } else if (stiffness_watch_.note_stiff_step(last_step_, statistics_.evaluations - n_evaluations_)) {
+    if (stiffness_detector_.note_explicit_step(last_step_, explicit_->find_stiffness())) use(*stiff_);
+  } else if (stiffness_detector_.note_stiff_step(last_step_, statistics_.evaluations - n_evaluations_)) {
     use(*explicit_);
   }
 }
@@ -149,7 +149,7 @@ bool MotionIntegrator::calls_for_implicit() {
     if (!equations_.contact_modes[k].in_contact || !explicit_->turns_slip(k)) continue;
     stiffness = std::max(stiffness, explicit_->dense().step() * implicit_->find_steepest_decay(k));
   }
-  if (!implicit_watch_.note_explicit_step(stiffness)) return false;
+  if (!contact_stiffness_detector_.note_explicit_step(stiffness)) return false;
   return std::ranges::count(equations_.contact_modes, true, &ContactMode::in_contact) <= ContactResponse::kMost;
 }
 
@@ -158,8 +158,8 @@ void MotionIntegrator::choose_implicit() {
     if (!calls_for_implicit()) return;
     implicit_->propose(kFirstImplicitLonger * last_step_);
     use(*implicit_);
-  } else if (implicit_watch_.note_implicit_step(last_step_, statistics_.evaluations - n_evaluations_,
-                                                implicit_->find_rates(), implicit_->n_pressing())) {
+  } else if (contact_stiffness_detector_.note_implicit_step(last_step_, statistics_.evaluations - n_evaluations_,
+                                                            implicit_->find_rates(), implicit_->n_pressing())) {
     explicit_->propose(last_step_);
     use(*explicit_);
   }
@@ -195,7 +195,7 @@ bool MotionIntegrator::prepare_retry() {
   const bool is_explicit = stepper_ == explicit_.get();
   if (stepper_->next_step() < find_smallest_step()) {
     if (is_explicit || !explicit_) return false;
-    stiffness_watch_.forget();
+    stiffness_detector_.forget();
     retry_with(*explicit_);
     evaluate_again();
   } else if (is_explicit && calls_for_implicit()) {
@@ -229,8 +229,8 @@ bool MotionIntegrator::pass_singular_position(double milestone) {
 void MotionIntegrator::switch_contact_mode(std::size_t k) {
   ContactMode& mode = equations_.contact_modes[k];
   passage_.forget();
-  stiffness_watch_.forget();
-  implicit_watch_.forget();
+  stiffness_detector_.forget();
+  contact_stiffness_detector_.forget();
   if (explicit_) use(*explicit_);
   continues_ = false;
   const bool has_bristle = system_.tables.contacts[k].bristle >= 0;
@@ -265,7 +265,7 @@ void MotionIntegrator::accept(double milestone) {
   y_ = stepper_->end();
   slope_ = stepper_->end_slope();
   strode_ = false;
-  changes_piece_ = landed_ > 0.0 && landed_ == h;
+  changes_piece_ = located_ > 0.0 && located_ == h;
   // Gaps at a change of contact are where they have to be: its closures wait for the next step.
   if (!changing_contact_ && !changes_piece_ && settle() > 0)
     events_.find_gaps(equations_.workspace, equations_.contact_modes, end_gaps_);
@@ -312,9 +312,9 @@ void MotionIntegrator::transfer(StateArchive& archive) {
   scratch_.fit(system_.tables);
   archive(equations_, passage_, breaks_, unseen_, scratch_, statistics_);
   transfer_stepper(archive);
-  archive(stiffness_watch_, implicit_watch_, rates_, n_evaluations_, time_, last_step_, strode_, continues_, y_,
-          slope_);
-  archive(gaps_, end_gaps_, changing_contact_, passed_, changes_piece_, is_out_of_piece_, landed_, next_point_);
+  archive(stiffness_detector_, contact_stiffness_detector_, rates_, n_evaluations_, time_, last_step_, strode_,
+          continues_, y_, slope_);
+  archive(gaps_, end_gaps_, changing_contact_, passed_, changes_piece_, is_out_of_piece_, located_, next_point_);
   archive(peak_time_);
 }
 

@@ -13,16 +13,16 @@
 #include "gudgeon/results/run_record.h"
 #include "gudgeon/sim/closure_projection.h"
 #include "gudgeon/sim/contact_events.h"
+#include "gudgeon/sim/contact_stiffness_detector.h"
 #include "gudgeon/sim/error_tolerance.h"
 #include "gudgeon/sim/explicit_stepper.h"
 #include "gudgeon/sim/fastest_rates.h"
 #include "gudgeon/sim/implicit_stepper.h"
-#include "gudgeon/sim/implicit_watch.h"
 #include "gudgeon/sim/load_breaks.h"
 #include "gudgeon/sim/motion_equations.h"
 #include "gudgeon/sim/singular_passage.h"
 #include "gudgeon/sim/stiff_stepper.h"
-#include "gudgeon/sim/stiffness_watch.h"
+#include "gudgeon/sim/stiffness_detector.h"
 #include "gudgeon/sim/unseen_loads.h"
 #include "gudgeon/system/row_choice.h"
 
@@ -105,11 +105,11 @@ class MotionIntegrator {
   bool attempt_step(double longest, double left);
   void find_end_gaps();
   [[nodiscard]] bool is_gap_passed() const;
-  bool land_on_change(const ContactChange& change);
+  bool locate_change(const ContactChange& change);
   void switch_contact_mode(std::size_t contact);
   bool end_at_break();
   bool sees_loads();
-  bool land_on_break(const LoadBreaks::Leave& leave);
+  bool locate_break(const LoadBreaks::Leave& leave);
   bool change_pieces();
   bool retry_with_other_pieces();
   bool passes_break(double far_side);
@@ -137,8 +137,8 @@ class MotionIntegrator {
   std::unique_ptr<ImplicitStepper> implicit_;
   std::unique_ptr<StiffStepper> stiff_;
   Stepper* stepper_ = nullptr;  // the one at work
-  StiffnessWatch stiffness_watch_;
-  ImplicitWatch implicit_watch_;
+  StiffnessDetector stiffness_detector_;
+  ContactStiffnessDetector contact_stiffness_detector_;
   FastestRates rates_;
   std::int64_t n_evaluations_ = 0;  // before the last step
 
@@ -154,7 +154,7 @@ class MotionIntegrator {
   std::vector<double> passed_;                                  // a state within a stride
   bool changes_piece_ = false;                                  // a load, at the end of the step
   bool is_out_of_piece_ = false;                                // a load, from the first moment of the attempt on
-  double landed_ = 0.0;                                         // [s] length of an attempt that ends on a break
+  double located_ = 0.0;                                        // [s] length of an attempt that ends on a break
   double next_point_ = 0.0;                                     // [s] time of the next point of curves over the time
   double peak_time_ = std::numeric_limits<double>::infinity();  // [s] of a load that a step has not seen
   std::optional<LoadBreaks::Stall> stall_;

@@ -16,7 +16,7 @@
 #include "gudgeon/sim/contact_history.h"
 #include "gudgeon/sim/load_reach.h"
 #include "gudgeon/sim/motion_integrator.h"
-#include "gudgeon/sim/peak_watch.h"
+#include "gudgeon/sim/peak_detector.h"
 #include "gudgeon/sim/run_pace.h"
 #include "gudgeon/sim/stage_recorder.h"
 #include "gudgeon/sim/wear_accumulator.h"
@@ -28,7 +28,7 @@ namespace gudgeon {
 class StageRun {
  public:
   StageRun(const System& system, const Study& study, double cycle_time, std::string name);
-  StageRun(const StageRun&) = delete;  // the watch holds on to its recorder
+  StageRun(const StageRun&) = delete;  // the peak detector holds on to its recorder
   StageRun& operator=(const StageRun&) = delete;
 
   /// Has the samples handed over in blocks of that size; the record then holds those after the last block.
@@ -72,7 +72,7 @@ class StageRun {
   const System& system_;  // the one that moves
   StageRecorder recorder_;
   ContactHistory history_;
-  PeakWatch peaks_;
+  PeakDetector peaks_;
   std::vector<WearAccumulator> wear_;              // one a clearance joint
   std::vector<WearAccumulator::StepSample> step_;  // of one contact
   Workspace scratch_;

@@ -11,7 +11,7 @@ namespace gudgeon {
 
 namespace {
 
-// Landing takes one or two passes; bisection from the longest step to the window would take this many.
+// Location takes one or two passes; bisection from the longest step to the window would take this many.
 constexpr int kMostPasses = 60;
 // Where in the window past a break a step is aimed.
 constexpr double kAim = 0.5;
@@ -26,7 +26,7 @@ constexpr double kShortestToPeak = 1e-9;
 // Ends the attempted step where the first load leaves its piece. False when it did so from the first moment on, or when
 // the step cannot be ended there.
 bool MotionIntegrator::end_at_break() {
-  landed_ = 0.0;
+  located_ = 0.0;
   is_out_of_piece_ = false;
   if (breaks_.empty()) return true;
   const auto leave = breaks_.find_first_leave(stepper_->dense(), equations_);
@@ -35,7 +35,7 @@ bool MotionIntegrator::end_at_break() {
     is_out_of_piece_ = true;
     return false;
   }
-  if (land_on_break(*leave)) return true;
+  if (locate_break(*leave)) return true;
   stepper_->shorten();
   return false;
 }
@@ -53,7 +53,7 @@ bool MotionIntegrator::sees_loads() {
 }
 
 // Takes the step again to just past the break, within the window: by Newton's method on its length, in a bracket.
-bool MotionIntegrator::land_on_break(const LoadBreaks::Leave& leave) {
+bool MotionIntegrator::locate_break(const LoadBreaks::Leave& leave) {
   const double start = stepper_->dense().start_time();
   const double whole = stepper_->dense().step();
   const double window = breaks_.find_window(start);
@@ -66,7 +66,7 @@ bool MotionIntegrator::land_on_break(const LoadBreaks::Leave& leave) {
     if (!std::isfinite(excess) && !(excess < 0.0)) return false;
     const bool is_past = excess >= 0.0;
     if (is_past && (excess <= leave.rate * window || h - before <= window)) {
-      landed_ = h;
+      located_ = h;
       return true;
     }
     (is_past ? after : before) = h;
@@ -93,8 +93,8 @@ bool MotionIntegrator::change_pieces() {
   if (breaks_.has_changed()) {
     continues_ = false;
     passage_.forget();
-    stiffness_watch_.forget();
-    implicit_watch_.forget();
+    stiffness_detector_.forget();
+    contact_stiffness_detector_.forget();
   }
   last_step_ = 0.0;
   strode_ = false;

@@ -13,9 +13,9 @@
 namespace gudgeon {
 
 /// Looks at the current point of a solver, and at points near it.
-class MotionWatch {
+class MotionProbe {
  public:
-  MotionWatch(KinematicSolver& solver, int driver);
+  MotionProbe(KinematicSolver& solver, int driver);
 
   /// Takes over the solver's current point.
   void update() { motion_.update(solver_->workspace()); }
@@ -38,7 +38,7 @@ class MotionWatch {
   /// The sine of a loop's fold; its sign names the branch.
   [[nodiscard]] double find_fold(const LoopFold& fold) const;
 
-  /// A number that the watch finds at the point where it is.
+  /// A number that the probe finds at the point where it is.
   using Quantity = std::function<double()>;
   /// Follows the motion from `low` to the time in (low, high] at which a quantity changes its sign, and stays there.
   /// False when the motion cannot be followed.

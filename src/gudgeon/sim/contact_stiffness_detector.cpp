@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Counting and comparing.
-#include "gudgeon/sim/implicit_watch.h"
+#include "gudgeon/sim/contact_stiffness_detector.h"
 
 #include <algorithm>
 
@@ -37,7 +37,7 @@ constexpr int kMostPatience = 48;
 
 }  // namespace
 
-bool ImplicitWatch::note_explicit_step(double stiffness) {
+bool ContactStiffnessDetector::note_explicit_step(double stiffness) {
   ++n_explicit_;
   n_short_ = stiffness > kShort ? n_short_ + 1 : 0;
   mean_ += (std::min(kMostStiffness, stiffness) - mean_) / kMeanOf;  // in this order NaN counts as the most
@@ -50,7 +50,8 @@ bool ImplicitWatch::note_explicit_step(double stiffness) {
   return true;
 }
 
-bool ImplicitWatch::note_implicit_step(double h, long n_evaluations, const ContactRates& rates, int n_pressing) {
+bool ContactStiffnessDetector::note_implicit_step(double h, long n_evaluations, const ContactRates& rates,
+                                                  int n_pressing) {
   ++n_implicit_;
   const double dearer = n_pressing < kMany ? kImplicitCost : kImplicitCostOfMany;
   const double implicit_cost = dearer * static_cast<double>(n_evaluations) / h;
@@ -61,7 +62,7 @@ bool ImplicitWatch::note_implicit_step(double h, long n_evaluations, const Conta
   return true;
 }
 
-void ImplicitWatch::forget() {
+void ContactStiffnessDetector::forget() {
   n_short_ = 0;
   n_explicit_ = 0;
   mean_ = 0.0;

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // From steps to rows of signals.
-#include "gudgeon/sim/peak_watch.h"
+#include "gudgeon/sim/peak_detector.h"
 
 #include <algorithm>
 
 namespace gudgeon {
 
-PeakWatch::PeakWatch(const System& system, MotionEquations& equations, StageRecorder& recorder, ContactHistory& history)
+PeakDetector::PeakDetector(const System& system, MotionEquations& equations, StageRecorder& recorder,
+                           ContactHistory& history)
     : system_(system),
       equations_(equations),
       recorder_(recorder),
@@ -22,13 +23,13 @@ PeakWatch::PeakWatch(const System& system, MotionEquations& equations, StageReco
       forces_(system.tables.contacts.size(), 0.0),
       n_watched_(recorder.watched_row().size()) {}
 
-void PeakWatch::begin(const MotionIntegrator& motion) {
+void PeakDetector::begin(const MotionIntegrator& motion) {
   steps_.clear();
   search_.interrupt();
   take_state(motion);
 }
 
-void PeakWatch::take_step(const MotionIntegrator& motion) {
+void PeakDetector::take_step(const MotionIntegrator& motion) {
   // A stride has no stages; two contacts that change at one instant have no time between.
   if (motion.last_step() == 0.0) {
     begin(motion);
@@ -39,13 +40,13 @@ void PeakWatch::take_step(const MotionIntegrator& motion) {
   look_into_short_contacts(motion);
 }
 
-void PeakWatch::transfer(StateArchive& archive) {
+void PeakDetector::transfer(StateArchive& archive) {
   scratch_.fit(system_.tables);
   archive(steps_, search_, scratch_, y_, slope_, forces_);
 }
 
 // What has changed at the start of the step.
-void PeakWatch::note_contact_modes() {
+void PeakDetector::note_contact_modes() {
   const std::vector<ContactMode>& before = steps_.contact_modes();
   bool jumps = false;
   for (std::size_t k = 0; k < before.size(); ++k) {
@@ -57,7 +58,7 @@ void PeakWatch::note_contact_modes() {
 }
 
 // Forces may have changed with the contact modes: the state stands once more, as the step began with it.
-void PeakWatch::begin_after_jump() {
+void PeakDetector::begin_after_jump() {
   const double time = steps_.time(0);
   std::ranges::copy(steps_.state(0), y_.begin());
   eval(time, equations_.contact_modes);
@@ -78,7 +79,7 @@ void PeakWatch::begin_after_jump() {
   search_.take(time);
 }
 
-void PeakWatch::take_state(const MotionIntegrator& motion) {
+void PeakDetector::take_state(const MotionIntegrator& motion) {
   steps_.note(motion.time(), motion.y(), motion.slope(), equations_.contact_modes);
   recorder_.watch(motion.time(), equations_.workspace, motion.gaps());
   read_row(equations_.workspace, equations_.contact_modes, search_.next_row());
@@ -86,7 +87,7 @@ void PeakWatch::take_state(const MotionIntegrator& motion) {
 }
 
 // A contact that opens in the step in which it closed shows no force at either end.
-void PeakWatch::look_into_short_contacts(const MotionIntegrator& motion) {
+void PeakDetector::look_into_short_contacts(const MotionIntegrator& motion) {
   const std::span<const double> nodes = motion.stepper().nodes();
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const double before = forces_[k];
@@ -102,13 +103,13 @@ void PeakWatch::look_into_short_contacts(const MotionIntegrator& motion) {
   }
 }
 
-void PeakWatch::eval(double time, const std::vector<ContactMode>& contact_modes) {
+void PeakDetector::eval(double time, const std::vector<ContactMode>& contact_modes) {
   scratch_.fit(system_.tables);
-  scratch_.loads.held = equations_.workspace.loads.held;  // the same in all steps since the watch began
+  scratch_.loads.held = equations_.workspace.loads.held;  // the same in all steps since the detector began
   equations_.eval_in(time, y_.data(), contact_modes, scratch_);
 }
 
-void PeakWatch::measure(double time, std::span<double> row) {
+void PeakDetector::measure(double time, std::span<double> row) {
   steps_.interpolate(time, y_.data());
   const std::vector<ContactMode>& contact_modes = steps_.find_contact_modes(time);
   eval(time, contact_modes);
@@ -116,8 +117,8 @@ void PeakWatch::measure(double time, std::span<double> row) {
   read_row(scratch_, contact_modes, row);
 }
 
-void PeakWatch::read_row(const Workspace& workspace, const std::vector<ContactMode>& contact_modes,
-                         std::span<double> row) {
+void PeakDetector::read_row(const Workspace& workspace, const std::vector<ContactMode>& contact_modes,
+                            std::span<double> row) {
   std::ranges::copy(recorder_.watched_row(), row.begin());
   for (std::size_t k = 0; k < contact_modes.size(); ++k) {
     const double force = contact_modes[k].in_contact ? workspace.contact_forces[k].normal_force : 0.0;

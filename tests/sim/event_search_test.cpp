@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The search for a step's length, against quantities with known roots.
-#include "gudgeon/sim/landing_search.h"
+#include "gudgeon/sim/event_search.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 namespace gudgeon {
 namespace {
 
-using SearchOutcome = LandingSearch::Outcome;
-using Side = LandingSearch::Side;
+using SearchOutcome = EventSearch::Outcome;
+using Side = EventSearch::Side;
 using Quantity = std::function<WatchedValue(double)>;
 
 struct SearchResult {
@@ -26,7 +26,7 @@ struct SearchResult {
 
 // As a step would be tried: the quantity is known at no other place than the ends of the tries.
 SearchResult search_for(Side side, double longest, double expected, double window, const Quantity& quantity) {
-  LandingSearch search(side, longest, expected, quantity(0.0), quantity(longest));
+  EventSearch search(side, longest, expected, quantity(0.0), quantity(longest));
   int n_tries = 0;
   double last = 0.0;
   for (bool goes_on = true; goes_on; ++n_tries) {
@@ -42,7 +42,7 @@ SearchResult search_for(Side side, double longest, double expected, double windo
 // Rises through zero at 0.3, ever faster.
 WatchedValue rise(double h) { return {std::expm1(h - 0.3), std::exp(h - 0.3)}; }
 
-TEST(LandingSearch, EndsAHairOnTheSideThatWasAskedFor) {
+TEST(EventSearch, EndsAHairOnTheSideThatWasAskedFor) {
   for (const double window : {1e-6, 1e-10, 1e-15}) {
     for (const double expected : {0.3, 0.2999, 0.05, 0.99}) {
       const SearchResult before = search_for(Side::before, 1.0, expected, window, rise);
@@ -60,7 +60,7 @@ TEST(LandingSearch, EndsAHairOnTheSideThatWasAskedFor) {
 }
 
 // Below what rounding tells the bracket closes, and the end is on the right side all the same.
-TEST(LandingSearch, StaircaseEndsOnTheRightSide) {
+TEST(EventSearch, StaircaseEndsOnTheRightSide) {
   const auto stairs = [](double h) { return WatchedValue{1e-9 * std::floor((h - 0.3) * 1e9) + 0.5e-9, 1.0}; };
   const SearchResult before = search_for(Side::before, 1.0, 0.301, 1e-14, stairs);
   EXPECT_EQ(before.outcome, SearchOutcome::found);
@@ -77,7 +77,7 @@ Quantity arch(double height) {
   return [height](double h) { return WatchedValue{height - (h - 0.5) * (h - 0.5), -2.0 * (h - 0.5)}; };
 }
 
-TEST(LandingSearch, ArchIsMetWhereItRises) {
+TEST(EventSearch, ArchIsMetWhereItRises) {
   for (const double height : {1e-2, 1e-6, 1e-10}) {
     for (const double expected : {0.5 - std::sqrt(height), 0.5, 0.5 + 1e-5}) {
       const SearchResult result = search_for(Side::before, 1.0, expected, 1e-15, arch(height));
@@ -89,7 +89,7 @@ TEST(LandingSearch, ArchIsMetWhereItRises) {
   }
 }
 
-TEST(LandingSearch, ArchThatStaysBelowIsNoChange) {
+TEST(EventSearch, ArchThatStaysBelowIsNoChange) {
   for (const double depth : {1e-2, 1e-8, 1e-13}) {
     for (const double expected : {0.45, 0.5, 0.5 + 1e-7}) {
       const SearchResult result = search_for(Side::before, 1.0, expected, 1e-15, arch(-depth));
@@ -100,7 +100,7 @@ TEST(LandingSearch, ArchThatStaysBelowIsNoChange) {
 }
 
 // A contact that was met a hair before its surfaces touch: minus its penetration begins above zero and falls.
-TEST(LandingSearch, WhatBeginsAHairAboveHasToTurnFirst) {
+TEST(EventSearch, WhatBeginsAHairAboveHasToTurnFirst) {
   const double hair = 1e-10;
   // Touches, and parts at 0.8.
   const auto touch = [&](double h) { return WatchedValue{hair + h * (h - 0.8), 2.0 * h - 0.8}; };
@@ -119,7 +119,7 @@ TEST(LandingSearch, WhatBeginsAHairAboveHasToTurnFirst) {
   }
 }
 
-TEST(LandingSearch, AboveFromTheFirstMomentOn) {
+TEST(EventSearch, AboveFromTheFirstMomentOn) {
   // On the way up: the change is there from the start.
   const auto up = [](double h) { return WatchedValue{h == 0.0 ? -1e-18 : 1e-3 + h, 1.0}; };
   SearchResult result = search_for(Side::before, 1.0, 0.2, 1e-15, up);
@@ -131,7 +131,7 @@ TEST(LandingSearch, AboveFromTheFirstMomentOn) {
   EXPECT_EQ(result.outcome, SearchOutcome::impossible);
 }
 
-TEST(LandingSearch, StepsThatFailAreShortened) {
+TEST(EventSearch, StepsThatFailAreShortened) {
   const auto broken = [](double h) {
     return h > 0.4 ? WatchedValue{std::numeric_limits<double>::quiet_NaN(), 0.0} : rise(h);
   };

@@ -14,7 +14,7 @@ namespace gudgeon {
 /// enough of them. What that costs is compared with what explicit steps did. A trial may take as much as the steps that
 /// were waited for; where it has not paid by then, the explicit ones go on, and twice as many are waited for the next
 /// time. So the two together never take more than a few times what the better one would.
-class StiffnessWatch {
+class StiffnessDetector {
  public:
   /// An explicit step of length h [s] with h |λ| = stiffness [1]: whether the stiff integrator is to go on.
   bool note_explicit_step(double h, double stiffness);

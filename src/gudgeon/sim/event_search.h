@@ -14,14 +14,14 @@ struct WatchedValue {
 
 /// Newton's method on the length of a step, kept inside a bracket: whoever owns it tries the length that it asks for
 /// and tells what the quantity is there. What begins above zero and falls is not past the change before it has turned.
-class LandingSearch {
+class EventSearch {
  public:
   /// Where the step is to end: a hair before the quantity is zero, or a hair past it.
   enum class Side { before, past };
 
   /// The longest step, the one at which the change is expected, and the quantity at the step's start and at the end of
   /// the longest one.
-  LandingSearch(Side side, double longest, double expected, WatchedValue start, WatchedValue end);
+  EventSearch(Side side, double longest, double expected, WatchedValue start, WatchedValue end);
 
   /// The length to try [s].
   [[nodiscard]] double length() const { return h_; }

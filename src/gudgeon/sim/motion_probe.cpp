@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Illinois' method for zeros, golden section for extremes.
-#include "gudgeon/sim/motion_watch.h"
+#include "gudgeon/sim/motion_probe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@
 
 namespace gudgeon {
 
-MotionWatch::MotionWatch(KinematicSolver& solver, int driver)
+MotionProbe::MotionProbe(KinematicSolver& solver, int driver)
     : solver_(&solver), driver_(driver), motion_(solver.system()) {
   update();
 }
 
-std::vector<MotionWatch::Coordinate> MotionWatch::list_coordinates() const {
+std::vector<MotionProbe::Coordinate> MotionProbe::list_coordinates() const {
   const System& system = solver_->system();
   std::vector<Coordinate> coordinates;
   std::vector<bool> seen(system.topology.counts.n_turns(), false);
@@ -32,20 +32,20 @@ std::vector<MotionWatch::Coordinate> MotionWatch::list_coordinates() const {
   return coordinates;
 }
 
-double MotionWatch::find_value(Coordinate coordinate) const {
+double MotionProbe::find_value(Coordinate coordinate) const {
   return coordinate.body >= 0 ? motion_.motions()[coordinate.body].angle : find_slide(coordinate.joint).displacement;
 }
 
-double MotionWatch::find_rate(Coordinate coordinate) const {
+double MotionProbe::find_rate(Coordinate coordinate) const {
   return coordinate.body >= 0 ? motion_.motions()[coordinate.body].angle_rate : find_slide(coordinate.joint).speed;
 }
 
-SlideMotion MotionWatch::find_slide(int joint) const {
+SlideMotion MotionProbe::find_slide(int joint) const {
   const Mechanism& mechanism = solver_->system().mechanism;
   return find_slide_motion(mechanism, mechanism.joints[joint], motion_.motions());
 }
 
-double MotionWatch::find_driver_value(int driver) const {
+double MotionProbe::find_driver_value(int driver) const {
   if (driver < 0) return 0.0;
   const Mechanism& mechanism = solver_->system().mechanism;
   if (const auto* angle = std::get_if<DrivenAngle>(&mechanism.drivers[driver].target)) {
@@ -55,26 +55,26 @@ double MotionWatch::find_driver_value(int driver) const {
   return find_slide(find_joint(mechanism, std::get<DrivenSlide>(mechanism.drivers[driver].target).joint)).displacement;
 }
 
-double MotionWatch::find_transmission(const LoopFold& fold) const {
+double MotionProbe::find_transmission(const LoopFold& fold) const {
   const FoldAngle angle = solver_->folds().find_angle(fold, solver_->workspace().coordinates);
   if (solver_->folds().has_guide(fold)) return std::atan2(std::abs(angle.cosine), std::abs(angle.sine));
   return std::atan2(std::abs(angle.sine), -angle.cosine);
 }
 
-double MotionWatch::find_fold(const LoopFold& fold) const {
+double MotionProbe::find_fold(const LoopFold& fold) const {
   return solver_->folds().find_angle(fold, solver_->workspace().coordinates).sine;
 }
 
-DriverTime MotionWatch::find_time() const { return {solver_->point().time, find_driver_value(driver_)}; }
+DriverTime MotionProbe::find_time() const { return {solver_->point().time, find_driver_value(driver_)}; }
 
-bool MotionWatch::move_to(const MotionPoint& from, double time) {
+bool MotionProbe::move_to(const MotionPoint& from, double time) {
   solver_->return_to(from);
   const bool arrived = solver_->move_to(time);
   update();
   return arrived;
 }
 
-bool MotionWatch::move_to_zero(const Quantity& quantity, const MotionPoint& low, double high) {
+bool MotionProbe::move_to_zero(const Quantity& quantity, const MotionPoint& low, double high) {
   double left = low.time;
   double right = high;
   if (!move_to(low, high)) return false;
@@ -100,7 +100,7 @@ bool MotionWatch::move_to_zero(const Quantity& quantity, const MotionPoint& low,
   return true;
 }
 
-bool MotionWatch::move_to_least_transmission(const LoopFold& fold, double sign, const MotionPoint& low, double high) {
+bool MotionProbe::move_to_least_transmission(const LoopFold& fold, double sign, const MotionPoint& low, double high) {
   constexpr double kGolden = std::numbers::phi - 1.0;
   double left = low.time;
   double right = high;

@@ -17,11 +17,11 @@ namespace gudgeon {
 
 /// Follows the watched channels and the normal force of every contact. Where one of them may have had an extreme within
 /// the last two steps, the equations are evaluated there, at states of the steps' polynomials.
-class PeakWatch {
+class PeakDetector {
  public:
-  PeakWatch(const System& system, MotionEquations& equations, StageRecorder& recorder, ContactHistory& history);
-  PeakWatch(const PeakWatch&) = delete;  // its search calls back
-  PeakWatch& operator=(const PeakWatch&) = delete;
+  PeakDetector(const System& system, MotionEquations& equations, StageRecorder& recorder, ContactHistory& history);
+  PeakDetector(const PeakDetector&) = delete;  // its search calls back
+  PeakDetector& operator=(const PeakDetector&) = delete;
 
   /// The state from which on steps count.
   void begin(const MotionIntegrator& motion);

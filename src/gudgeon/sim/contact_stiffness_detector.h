@@ -14,7 +14,7 @@ namespace gudgeon {
 /// few in a row or, where a contact swings and h |λ| jumps from step to step, many on average. Implicit steps go on
 /// until explicit ones, by the fastest rates there are, would take fewer evaluations. Where that is so at once, the
 /// next call needs twice as many short steps; where contacts swing the implicit ones are then given twice the time.
-class ImplicitWatch {
+class ContactStiffnessDetector {
  public:
   /// An explicit step with h |λ| = stiffness [1]: whether the next one is to be implicit.
   bool note_explicit_step(double stiffness);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Counting and judging.
-#include "gudgeon/sim/stiffness_watch.h"
+#include "gudgeon/sim/stiffness_detector.h"
 
 #include <algorithm>
 
@@ -24,7 +24,7 @@ constexpr double kStiffCost = 2.0;
 
 }  // namespace
 
-bool StiffnessWatch::note_explicit_step(double h, double stiffness) {
+bool StiffnessDetector::note_explicit_step(double h, double stiffness) {
   if (stiffness > kStiff) {
     ++n_stiff_;
     n_smooth_ = 0;
@@ -41,7 +41,7 @@ bool StiffnessWatch::note_explicit_step(double h, double stiffness) {
   return true;
 }
 
-bool StiffnessWatch::note_stiff_step(double h, std::int64_t n_evaluations) {
+bool StiffnessDetector::note_stiff_step(double h, std::int64_t n_evaluations) {
   ++n_tried_;
   trial_time_ += h;
   trial_cost_ += kStiffCost * static_cast<double>(n_evaluations);
@@ -52,13 +52,13 @@ bool StiffnessWatch::note_stiff_step(double h, std::int64_t n_evaluations) {
   return !pays;
 }
 
-void StiffnessWatch::forget() {
+void StiffnessDetector::forget() {
   n_stiff_ = n_smooth_ = 0;
   stiff_time_ = 0.0;
   if (n_tried_ > 0) judge();
 }
 
-void StiffnessWatch::judge() {
+void StiffnessDetector::judge() {
   const bool pays = trial_cost_ <= explicit_cost_ * trial_time_;
   patience_ = pays ? std::max(patience_ / 2, kLeastStiff) : std::min(2 * patience_, kMostStiff);
   n_tried_ = 0;

@@ -29,7 +29,7 @@ StageRecord run(const Mechanism& mechanism, double relative_tolerance, double cy
 constexpr double kTurn = 60.0 / 5000.0;  // [s]
 
 // The slider-crank of Flores and Ambrosio over its first turn, solved in quadruple precision.
-TEST(PeakWatch, SliderCranksFirstTurnHasItsPeaks) {
+TEST(PeakDetector, SliderCranksFirstTurnHasItsPeaks) {
   for (const auto& [tolerance, share] : {std::pair{1e-6, 1e-4}, {1e-4, 1e-3}}) {
     const StageRecord stage = run(oracle::make_slider_crank_clearance(), tolerance, kTurn);
     ASSERT_EQ(stage.status, StageStatus::finished) << stage.message;
@@ -41,7 +41,7 @@ TEST(PeakWatch, SliderCranksFirstTurnHasItsPeaks) {
   }
 }
 
-TEST(PeakWatch, NoContactsPeakIsLow) {
+TEST(PeakDetector, NoContactsPeakIsLow) {
   const StageRecord exact = run(oracle::make_slider_crank_clearance(), 1e-10, kTurn);
   ASSERT_GE(exact.events.size(), 5U);
   // Errors of the motion grow from contact to contact, at 1e-6 to some percent of the last ones' onset speed: the
@@ -57,7 +57,7 @@ TEST(PeakWatch, NoContactsPeakIsLow) {
 }
 
 // A ball of 2 kg flies into a wall that presses with K d^1.5: ½ m v² = 2/5 K d^2.5. In few steps, as in many.
-TEST(PeakWatch, AReboundHasTheForceOfItsEnergy) {
+TEST(PeakDetector, AReboundHasTheForceOfItsEnergy) {
   for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-9}) {
     const Mechanism mechanism = make_balls({{{0.4, 0.0}, {1.5, 0.0}}}, {}, 1e8);
     const StageRecord stage = run(mechanism, tolerance, 0.15);
@@ -73,7 +73,7 @@ TEST(PeakWatch, AReboundHasTheForceOfItsEnergy) {
 }
 
 // A damper presses most at the first touch, between two steps: d v.
-TEST(PeakWatch, AForceThatBeginsWithAStepHasItsPeakThere) {
+TEST(PeakDetector, AForceThatBeginsWithAStepHasItsPeakThere) {
   Mechanism mechanism = make_balls({{{0.4, 0.0}, {1.5, 0.0}}}, {}, 1e8);
   std::get<RevoluteClearance>(mechanism.joints[0].kind).contact.normal_force = KelvinVoigt{1e3, 400.0};
   const StageRecord stage = run(mechanism, 1e-6, 0.1);
@@ -83,7 +83,7 @@ TEST(PeakWatch, AForceThatBeginsWithAStepHasItsPeakThere) {
 }
 
 // A point mass of 1 kg that starts level: 3 g at the bottom of its swing, where no step ends.
-TEST(PeakWatch, ASwingHasItsPeakBetweenSteps) {
+TEST(PeakDetector, ASwingHasItsPeakBetweenSteps) {
   const StageRecord stage = run(oracle::make_point_mass_pendulum(), 1e-5, 1.5);
   const ChannelStatistics* lift = find_statistics(stage, "bar.y_acceleration");
   ASSERT_NE(lift, nullptr);

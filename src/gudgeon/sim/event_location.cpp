@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gudgeon/sim/landing_search.h"
+#include "gudgeon/sim/event_search.h"
 #include "gudgeon/sim/motion_integrator.h"
 
 namespace gudgeon {
@@ -26,9 +26,10 @@ bool MotionIntegrator::attempt_step(double longest, double left) {
   if (!stepper_->attempt(longest, left) || !end_at_break() || !sees_loads()) return false;
   find_end_gaps();
   auto change = events_.find_first_change(stepper_->dense(), equations_.contact_modes, gaps_, end_gaps_, scratch_);
-  // Where a landing finds another gap closed that dense output of the longer step saw open, that one is landed on.
-  for (std::size_t landing = 0; change; ++landing) {
-    if (landing > gaps_.size() || !land_on_change(*change)) {
+  // Where the located event finds another gap closed that dense output of the longer step saw open, that one is
+  // located.
+  for (std::size_t located = 0; change; ++located) {
+    if (located > gaps_.size() || !locate_change(*change)) {
       stepper_->shorten();
       changing_contact_.reset();
       return false;
@@ -50,7 +51,7 @@ bool MotionIntegrator::attempt_step(double longest, double left) {
   return true;
 }
 
-// Whether a contact that is open, and has not just been landed on, penetrates at the end of the attempt.
+// Whether a contact that is open, and has not just been located, penetrates at the end of the attempt.
 bool MotionIntegrator::is_gap_passed() const {
   for (std::size_t k = 0; k < end_gaps_.size(); ++k) {
     if (changing_contact_ == k || equations_.contact_modes[k].in_contact) continue;
@@ -71,7 +72,7 @@ void MotionIntegrator::find_end_gaps() {
 // both cases. A change that only dense output has seen, as where surfaces graze, is none: the step then ends where it
 // was thought to be. False when the step was so long that the gap is past the change from its first moment on, going
 // the other way, or when it cannot be ended there.
-bool MotionIntegrator::land_on_change(const ContactChange& change) {
+bool MotionIntegrator::locate_change(const ContactChange& change) {
   const std::size_t k = change.contact;
   const bool is_onset = !equations_.contact_modes[k].in_contact;
   const double sign = is_onset ? 1.0 : -1.0;
@@ -81,8 +82,8 @@ bool MotionIntegrator::land_on_change(const ContactChange& change) {
   const double whole = stepper_->dense().step();
   const double expected = std::clamp(change.share, 0.0, 1.0) * whole;
   const double window_time = kWindow * std::min(1.0, study_.relative_tolerance / kDefaultTolerance) * whole;
-  LandingSearch search(is_onset ? LandingSearch::Side::before : LandingSearch::Side::past, whole, expected,
-                       watch(gaps_[k]), watch(end_gaps_[k]));
+  EventSearch search(is_onset ? EventSearch::Side::before : EventSearch::Side::past, whole, expected, watch(gaps_[k]),
+                     watch(end_gaps_[k]));
   const auto end_at = [&](double h) {
     stepper_->end_at(h);
     find_end_gaps();
@@ -98,12 +99,12 @@ bool MotionIntegrator::land_on_change(const ContactChange& change) {
     goes_on = search.note(watch(end_gaps_[k]), window);
   }
   switch (search.outcome()) {
-    case LandingSearch::Outcome::found:
+    case EventSearch::Outcome::found:
       if (!search.is_current()) end_at(search.length());
       if (!std::isfinite(end_gaps_[k].penetration)) return false;
       changing_contact_ = k;
       return true;
-    case LandingSearch::Outcome::none:
+    case EventSearch::Outcome::none:
       return end_at(expected > kLeastShare * whole ? expected : whole);
     default:
       return false;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Brackets, tops, turns.
-#include "gudgeon/sim/landing_search.h"
+#include "gudgeon/sim/event_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr double kNarrow = 4.0 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-LandingSearch::LandingSearch(Side side, double longest, double expected, WatchedValue start, WatchedValue end)
+EventSearch::EventSearch(Side side, double longest, double expected, WatchedValue start, WatchedValue end)
     : side_(side),
       longest_(longest),
       expected_(std::clamp(expected, 0.0, longest)),
@@ -31,7 +31,7 @@ LandingSearch::LandingSearch(Side side, double longest, double expected, Watched
       passed_(end.value > 0.0) {}
 
 // Whether such an end lies past the change, or past a top below it.
-bool LandingSearch::is_past(const WatchedValue& end, double target) const {
+bool EventSearch::is_past(const WatchedValue& end, double target) const {
   const bool begins_above = start_.value >= 0.0 && start_.rate < 0.0;
   if (end.value > target) return end.rate >= 0.0 || !begins_above;
   if (end.rate >= 0.0) return false;
@@ -39,7 +39,7 @@ bool LandingSearch::is_past(const WatchedValue& end, double target) const {
   return h_ >= expected_ || (before_ > 0.0 && at_before_.rate > 0.0);
 }
 
-bool LandingSearch::note(WatchedValue end, double window) {
+bool EventSearch::note(WatchedValue end, double window) {
   ++n_tries_;
   is_current_ = true;
   const double target = side_ == Side::before ? -window : window;
@@ -68,13 +68,13 @@ bool LandingSearch::note(WatchedValue end, double window) {
   return go_on(h_ - (end.value - target) / end.rate);
 }
 
-bool LandingSearch::note_failure() {
+bool EventSearch::note_failure() {
   ++n_tries_;
   past_ = h_;
   return go_on(0.5 * (before_ + past_));
 }
 
-bool LandingSearch::go_on(double proposal) {
+bool EventSearch::go_on(double proposal) {
   if (past_ - before_ <= kNarrow * longest_ || n_tries_ >= kMostTries) return settle();
   h_ = proposal > before_ && proposal < past_ ? proposal : 0.5 * (before_ + past_);
   is_current_ = false;
@@ -83,7 +83,7 @@ bool LandingSearch::go_on(double proposal) {
 
 // The bracket is as narrow as it gets. A step without length is at a change that was there from the start, unless the
 // quantity moves off it.
-bool LandingSearch::settle() {
+bool EventSearch::settle() {
   const double end = side_ == Side::before ? before_ : past_;
   const WatchedValue& there = side_ == Side::before ? at_before_ : at_past_;
   if (passed_ && !has_top_) {
