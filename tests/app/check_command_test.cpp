@@ -115,7 +115,8 @@ std::string find_complaint(const std::string& lines) {
 
 TEST(CheckCommand, PointsAtTheFaultInAFormula) {
   EXPECT_EQ(find_complaint("[loads.motor]\nbody = \"crank\"\ntorque = \"2 * sin(3*t) + * 4\"\n"),
-            "m.toml:+3:26: error E-MODEL-081: load 'motor': torque: \"2 * sin(3*t) + * 4\" is no formula: '*' does not "
+            "m.toml:+3:26: error E-MODEL-081: load 'motor': torque: \"2 * sin(3*t) + * 4\" is not a valid expression: "
+            "'*' does not "
             "fit here\n"
             "   +3 | torque = \"2 * sin(3*t) + * 4\"\n"
             "      |                          ^\n"

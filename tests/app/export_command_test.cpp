@@ -82,7 +82,7 @@ TEST_F(ExportCommand, WritesOnlyTheStagesAskedFor) {
   EXPECT_THAT(list_files("stages"), ElementsAre("ideal_channels.csv", "ideal_energy.csv", "ideal_statistics.csv"));
   const Outcome vain = run_export("vain", {"--stage", "wear_7"});
   EXPECT_EQ(vain.exit_code, 2);
-  EXPECT_THAT(vain.err, HasSubstr("--stage wear_7: there is no such stage; there are ideal, no_wear, wear_1"));
+  EXPECT_THAT(vain.err, HasSubstr("--stage wear_7: unknown stage; possible: ideal, no_wear, wear_1"));
 }
 
 TEST_F(ExportCommand, WritesOneSampleOfSoMany) {

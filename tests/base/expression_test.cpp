@@ -136,9 +136,9 @@ TEST_P(ExpressionRejects, AndSaysWhere) {
 
 INSTANTIATE_TEST_SUITE_P(
     Texts, ExpressionRejects,
-    testing::Values(BadExpression{"2*crnk.angle", 2, "'crnk.angle'"}, BadExpression{"t + + ", 0, "lacks a value"},
+    testing::Values(BadExpression{"2*crnk.angle", 2, "'crnk.angle'"}, BadExpression{"t + + ", 0, "has no operand"},
                     BadExpression{"sin(t", 5, "')' is missing"}, BadExpression{"sin(t, 2)", 0, "too many"},
-                    BadExpression{"t * ", 4, "too early"}, BadExpression{"atan2(t)", 0, "too few"},
+                    BadExpression{"t * ", 4, "unexpected end"}, BadExpression{"atan2(t)", 0, "too few"},
                     BadExpression{"k = 3", 2, "assign"}, BadExpression{"t <= 1 ? t = 2 : 1", 11, "assign"},
                     BadExpression{"t, 2", 1, "one value"}, BadExpression{"\"t\"", 1, "quotes"},
                     BadExpression{"", 0, "empty"}, BadExpression{"2 t", 2, "'t'"}, BadExpression{"t > 1 ? 2", 0, "':'"},

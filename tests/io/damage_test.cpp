@@ -129,7 +129,7 @@ TEST(Damage, VerificationNamesWhatIsDamaged) {
   }
   write_run(scratch / "x.h5", run);
   const RunVerification sound = verify_run(scratch / "x.h5");
-  EXPECT_TRUE(sound.troubles.empty());
+  EXPECT_TRUE(sound.errors.empty());
   EXPECT_TRUE(sound.has_checksums);
   EXPECT_EQ(sound.n_stages, 2u);
   EXPECT_GT(sound.n_datasets, 100u);
@@ -152,8 +152,8 @@ TEST(Damage, VerificationNamesWhatIsDamaged) {
   damaged[address] = static_cast<char>(damaged[address] ^ 4);
   test::write_text_file(scratch / "x.h5", damaged);
   const RunVerification found = verify_run(scratch / "x.h5");
-  ASSERT_EQ(found.troubles.size(), 1u);
-  EXPECT_THAT(found.troubles[0], HasSubstr("/stages/no_wear/channels/slider/x_acceleration: cannot read dataset"));
+  ASSERT_EQ(found.errors.size(), 1u);
+  EXPECT_THAT(found.errors[0], HasSubstr("/stages/no_wear/channels/slider/x_acceleration: cannot read dataset"));
   EXPECT_THAT(find_message<FileError>([&] { require_sound(scratch / "x.h5"); }), HasSubstr("x.h5: is damaged"));
   EXPECT_THAT(find_message<FileError>([&] { read_run(scratch / "x.h5"); }),
               HasSubstr("stage 'no_wear': cannot read dataset 'x_acceleration'"));
@@ -161,7 +161,7 @@ TEST(Damage, VerificationNamesWhatIsDamaged) {
 
 TEST(Damage, FormatOneHasNoChecksums) {
   const RunVerification found = verify_run(GUDGEON_SOURCE_DIR "/tests/io/files/format_1.h5");
-  EXPECT_THAT(found.troubles, testing::IsEmpty());
+  EXPECT_THAT(found.errors, testing::IsEmpty());
   EXPECT_EQ(found.format_version, 1);
   EXPECT_FALSE(found.has_checksums);
   EXPECT_EQ(found.n_stages, 3u);
@@ -239,8 +239,8 @@ TEST(Damage, GroupsThatLeadBackAreNamedOnce) {
     check_status(H5Lcreate_hard(root.id(), "stages", stage.id(), "back", H5P_DEFAULT, H5P_DEFAULT), "cannot link", "");
   }
   const RunVerification found = verify_run(scratch / "x.h5");
-  ASSERT_EQ(found.troubles.size(), 1u);
-  EXPECT_EQ(found.troubles[0], "/stages/wear_1/back: it is /stages under another name, too");
+  ASSERT_EQ(found.errors.size(), 1u);
+  EXPECT_EQ(found.errors[0], "/stages/wear_1/back: it is /stages under another name, too");
 }
 
 /// What reading says of a run that was changed before it was written.

@@ -100,7 +100,7 @@ TEST(Overrides, ErrorsNameTheCase) {
 
 TEST(Overrides, AnUnknownCaseListsTheCases) {
   const std::string text = render_all(read_with("hevy", {}));
-  EXPECT_NE(text.find("E-FILE-009: there is no case 'hevy'"), std::string::npos) << text;
+  EXPECT_NE(text.find("E-FILE-009: unknown case 'hevy'"), std::string::npos) << text;
   EXPECT_NE(text.find("possible: heavy, broken, lost   Did you mean 'heavy'?"), std::string::npos) << text;
 }
 

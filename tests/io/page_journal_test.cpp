@@ -97,7 +97,7 @@ TEST(PageJournal, OfAnotherCaseIsToldAndNotUsed) {
         EXPECT_TRUE(has_foreign_journal(scratch / "x.h5")) << n_stages << n_own;
         EXPECT_EQ(RunBytes(read_run(scratch / "x.h5")).bytes(), right) << n_stages << n_own;
         const RunVerification found = verify_run(scratch / "x.h5");
-        EXPECT_THAT(found.troubles, testing::IsEmpty());
+        EXPECT_THAT(found.errors, testing::IsEmpty());
         EXPECT_THAT(found.remarks,
                     ElementsAre(HasSubstr("x.h5.journal: belongs to another run file, and is not used")));
       }

@@ -41,7 +41,7 @@ TEST(ReadFunction, ABadConstantIsTheOnlyError) {
 
 TEST(ReadFunction, AnotherFaultOfTheFormulaIsStillTold) {
   const std::string text = find_complaint("torque = \"t0*t1\"\nconstants = { t0 = \"3 N q\" }\n");
-  EXPECT_THAT(text, HasSubstr("uses 't1', and there is nothing of that name"));
+  EXPECT_THAT(text, HasSubstr("uses unknown name 't1'"));
   EXPECT_THAT(text, HasSubstr("\n2 errors\n"));
 }
 

@@ -135,8 +135,8 @@ TEST(ReadLoads, MarksThePartOfAFormulaThatIsWrong) {
           testing::HasSubstr(" | force = [\"10 N\", \"-c*µ*leg.B.z\"]\n      |                        ^^^^^^^\n")));
   // All names at once, and the quantity that may have been meant.
   const std::string messages = find_messages("-c*leg.B.y_velocity", "5 Nn + q");
-  EXPECT_THAT(messages, testing::HasSubstr("uses 'Nn'"));
-  EXPECT_THAT(messages, testing::HasSubstr("uses 'q'"));
+  EXPECT_THAT(messages, testing::HasSubstr("uses unknown name 'Nn'"));
+  EXPECT_THAT(messages, testing::HasSubstr("uses unknown name 'q'"));
   EXPECT_THAT(messages, testing::HasSubstr("if a quantity was meant: unknown unit 'Nn'; did you mean 'N'?"));
 }
 
@@ -155,7 +155,7 @@ TEST(ReadLoads, ScalesCurves) {
   EXPECT_DOUBLE_EQ(curve.arguments[2], 4.0 * std::numbers::pi);
   EXPECT_EQ(curve.values, (std::vector<double>{2000.0, 1500.0, 0.0}));
   EXPECT_THAT(find_messages("arguments = [0, 1, 3]", "argument_unit = \"s\", arguments = [0, 1, 3]"),
-              testing::HasSubstr("argument_unit is \"s\", a time; an angular speed is needed"));
+              testing::HasSubstr("argument_unit is \"s\", a time; expected an angular speed"));
 }
 
 TEST(ReadLoads, TakesFormulasThatLookLikeQuantities) {

@@ -108,7 +108,7 @@ TEST(ResolvedModel, EveryExampleReadsBack) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(GUDGEON_SOURCE_DIR "/examples")) {
     if (entry.path().extension() != ".toml") continue;
     ++n_examples;
-    const ModelFile model = read_model(entry.path());
+    const ModelFile model = gudgeon::read_model(entry.path());
     EXPECT_EQ(render(model.diagnostics, model.source), "");
     const std::string text = write_resolved_model(model.mechanism, model.study);
     const ModelFile back = read_model_text("resolved.toml", text);

@@ -46,7 +46,7 @@ std::vector<std::string> verify_spoiled(const std::function<void(const Hdf5Handl
         check_id(H5Fopen((scratch / "x.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "cannot open", "x.h5");
     change(open_root(file));
   }
-  return verify_run(scratch / "x.h5").troubles;
+  return verify_run(scratch / "x.h5").errors;
 }
 
 Hdf5Handle open_worn_stage(const Hdf5Handle& root) { return open_group(open_group(root, "stages"), "wear_1"); }

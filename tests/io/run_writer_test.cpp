@@ -50,7 +50,7 @@ TEST(RunWriter, ReplacesOnlyWhenAsked) {
   test::write_text_file(scratch / "x.h5", "precious");
   const std::string message = find_message<FileError>([&] { RunWriter(scratch / "x.h5", make_run(), false); });
   EXPECT_THAT(message, HasSubstr((scratch / "x.h5").string()));
-  EXPECT_THAT(message, HasSubstr("exists already"));
+  EXPECT_THAT(message, HasSubstr("already exists"));
   EXPECT_EQ(test::read_text_file(scratch / "x.h5"), "precious");
   RunWriter(scratch / "x.h5", make_run(), true);
   EXPECT_EQ(read_run(scratch / "x.h5").case_name, "base");
@@ -372,7 +372,7 @@ TEST(RunWriter, RefusesAStageTwiceAndNamesHdf5CannotHold) {
   RunWriter writer(scratch / "x.h5", run, false);
   writer.append(run.stages[0]);
   EXPECT_THAT(find_message<FileError>([&] { writer.append(run.stages[0]); }),
-              HasSubstr("stage 'ideal' cannot be added: a stage of that name is there already"));
+              HasSubstr("stage 'ideal' cannot be added: a stage of that name already exists"));
   StageRecord odd = run.stages[1];
   odd.channels[0].name = "a/b";
   EXPECT_THAT(find_message<FileError>([&] { writer.append(odd); }), HasSubstr("'a/b' cannot be a name"));

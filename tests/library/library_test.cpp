@@ -111,7 +111,7 @@ TEST(LibraryModel, TellsEverythingThatIsWrongWithItsPlace) {
 
 TEST(LibraryModel, TellsOfFilesAndCasesThatAreNotThere) {
   EXPECT_THROW(gudgeon::read_model("/nowhere/model.toml"), gudgeon::FileError);
-  EXPECT_THAT(find_message<ModelError>([] { read_short_model("wider"); }), HasSubstr("there is no case 'wider'"));
+  EXPECT_THAT(find_message<ModelError>([] { read_short_model("wider"); }), HasSubstr("unknown case 'wider'"));
 }
 
 TEST(LibraryRun, SaysWhichStagesJointsAndChannelsThereAre) {

@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"E-MODEL-005", "drivers.crank.speed", "finite", [](Model& m) { m.mechanism.drivers[0].speed = kNan; }},
         Broken{"R-MODEL-107", "drivers.crank.start", "the driver's holds",
                [](Model& m) { m.mechanism.bodies[1].start.angle = 1.0; }},
-        Broken{"E-MODEL-050", "loads.brake.body", "no body",
+        Broken{"E-MODEL-050", "loads.brake.body", "unknown body",
                [](Model& m) {
                  m.mechanism.loads[1].kind = ConstantTorque{"x", 1.0};
                }},

@@ -19,8 +19,8 @@ namespace gudgeon {
 
 class CaseCheckpoints {
  public:
-  /// Says a line to the user, which may tell of trouble.
-  using Tell = std::function<void(std::string_view line, bool is_trouble)>;
+  /// Says a line to the user, which may tell of an error.
+  using Tell = std::function<void(std::string_view line, bool is_error)>;
 
   /// Holds on to the header.
   CaseCheckpoints(std::filesystem::path file, const RunRecord& header, Tell tell);

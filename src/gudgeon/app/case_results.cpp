@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Summaries, paths and troubles of cases.
+// Summaries, paths and errors of cases.
 #include "gudgeon/app/case_results.h"
 
 #include <fmt/format.h>
@@ -46,7 +46,7 @@ void print_summaries(const std::vector<CaseRun>& cases, bool quiet) {
   flush_stdout();
 }
 
-void print_troubles(const std::vector<CaseRun>& cases) {
+void print_errors(const std::vector<CaseRun>& cases) {
   for (const CaseRun& one : cases) {
     if (one.message.empty()) continue;
     write_stderr(fmt::format("gudgeon: case {}: {}\n", one.name, one.message));
@@ -74,10 +74,10 @@ void print_results(const std::vector<CaseRun>& cases, bool quiet) {
   try {
     print_summaries(cases, quiet);
   } catch (const FileError&) {
-    print_troubles(cases);  // they are why there is nothing to read, or more than a full disk behind standard output
+    print_errors(cases);  // they are why there is nothing to read, or more than a full disk behind standard output
     throw;
   }
-  print_troubles(cases);
+  print_errors(cases);
 }
 
 }  // namespace gudgeon

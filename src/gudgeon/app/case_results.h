@@ -12,10 +12,11 @@
 
 namespace gudgeon {
 
-/// The summary of a run whose samples lie in the case's file, as far as it needs them. FileError when they cannot be read.
+/// The summary of a run whose samples lie in the case's file, as far as it needs them. FileError when they cannot be
+/// read.
 std::string summarize_case(const CaseRun& one, RunRecord run);
 
-/// Summaries and paths to standard output, troubles to standard error; quiet leaves the summaries out.
+/// Summaries and paths to standard output, errors to standard error; quiet leaves the summaries out.
 /// FileError when a file cannot be read back or standard output takes no more.
 void print_results(const std::vector<CaseRun>& cases, bool quiet);
 

@@ -86,7 +86,7 @@ void run_stages(CaseRun& one, const ModelFile& model, int index, Existing existi
                 const Surroundings& around) {
   const RunRecord header = make_header(one.name, model);
   CaseCheckpoints checkpoints(
-      one.file, header, [&](std::string_view line, bool is_trouble) { around.display.tell(index, line, is_trouble); });
+      one.file, header, [&](std::string_view line, bool is_error) { around.display.tell(index, line, is_error); });
   std::vector<StageRecord> finished;
   if (existing == Existing::resume) {
     RunRecord earlier = read_earlier_run(one, header, around.display, index);
@@ -207,8 +207,8 @@ int run_cases(std::vector<CaseRun>& cases, const ReadCase& read_case, int n_thre
     }
   };
   std::vector<std::jthread> threads;
-  const std::string trouble = add_threads(threads, std::min(2 * n_threads - 1, n_cases), work);
-  if (!trouble.empty()) display.write_note(trouble);
+  const std::string error = add_threads(threads, std::min(2 * n_threads - 1, n_cases), work);
+  if (!error.empty()) display.write_note(error);
   try {
     while (n_done.load() < n_cases) {
       for (CheckpointClock& clock : clocks) clock.tick(CheckpointClock::read());

@@ -52,7 +52,7 @@ void select_stages(RunRecord& run, const std::vector<std::string>& wanted) {
     if (find_stage(run, name) != nullptr) continue;
     std::vector<std::string> names;
     for (const StageRecord& stage : run.stages) names.push_back(stage.name);
-    throw UsageError(fmt::format("--stage {}: there is no such stage; there are {}", name, fmt::join(names, ", ")));
+    throw UsageError(fmt::format("--stage {}: unknown stage; possible: {}", name, fmt::join(names, ", ")));
   }
   if (wanted.empty()) return;
   std::erase_if(run.stages, [&](const StageRecord& s) { return std::ranges::find(wanted, s.name) == wanted.end(); });
@@ -120,7 +120,7 @@ void add_export_command(CLI::App& program, Action& action) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App* command = program.add_subcommand("export", "Write a run file's channels and wear profiles as CSV");
   command->add_option("RUN", options->file, "Run file (HDF5)")->required();
-  command->add_option("-o,--output", options->directory, "Directory to write to; it is made when missing")->required();
+  command->add_option("-o,--output", options->directory, "Output directory (created if missing)")->required();
   command
       ->add_option("--channel", options->channels,
                    "Only channels of that name or shell pattern, 'A.*' (may be repeated)")

@@ -35,9 +35,9 @@ ExitCode show_content(const std::filesystem::path& file) {
 ExitCode verify(const std::filesystem::path& file) {
   const RunVerification found = verify_run(file);
   const std::string read = fmt::format("{} stages, {} datasets read whole", found.n_stages, found.n_datasets);
-  if (!found.troubles.empty()) {
+  if (!found.errors.empty()) {
     throw FileError(fmt::format("{}: is damaged ({} datasets read whole):\n  {}", file.string(), found.n_datasets,
-                                fmt::join(found.troubles, "\n  ")));
+                                fmt::join(found.errors, "\n  ")));
   }
   write_stdout(found.has_checksums
                    ? fmt::format("{}: sound: {}, every checksum right\n", file.string(), read)

@@ -193,7 +193,7 @@ void add_kinematics_command(CLI::App& program, Action& action) {
   add_case_option(*command, options->case_name);
   command->add_option("--cycles", options->cycles, "Cycles to follow")->capture_default_str();
   command->add_option("--samples", options->samples, "Samples a cycle")->capture_default_str();
-  command->add_option("-o,--output", options->directory, "Directory for CSV files; it is made when missing");
+  command->add_option("-o,--output", options->directory, "Output directory for CSV files (created if missing)");
   command->add_flag("--overwrite", options->overwrite, "Replace existing files");
   command->add_flag("--branches", options->branches, "Only list the ways in which the loops can be assembled");
   command->footer(

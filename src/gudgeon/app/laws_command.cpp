@@ -43,8 +43,8 @@ void add_laws_command(CLI::App& program, Action& action) {
     action = [options] {
       const std::string text = options->markdown ? render_laws_page() : render_laws(options->name);
       if (text.empty()) {
-        write_stderr(fmt::format("gudgeon: there is no law and no family '{}'. {}\n", options->name,
-                                 suggest_law(options->name)));
+        write_stderr(
+            fmt::format("gudgeon: unknown law or family '{}'. {}\n", options->name, suggest_law(options->name)));
         return ExitCode::usage;
       }
       write_stdout(text);

@@ -72,7 +72,7 @@ std::vector<NamedFigure> select_figures(std::vector<NamedFigure> figures, const 
   for (const std::string& word : wanted) {
     if (std::ranges::any_of(known, [&](const std::string& name) { return is_meant(name, word); })) continue;
     throw UsageError(
-        fmt::format("--figure: there is no figure '{}'. {} --list names them all", word, suggest(word, known)));
+        fmt::format("--figure: unknown figure '{}'. {} --list names them all", word, suggest(word, known)));
   }
   std::erase_if(figures, [&](const NamedFigure& one) {
     return std::ranges::none_of(wanted, [&](const std::string& word) { return is_meant(one.name, word); });
@@ -95,11 +95,11 @@ void write_figure(const PlotOptions& options, const NamedFigure& one) {
 ExitCode run_plot(const PlotOptions& options) {
   if (!options.list && options.directory.empty()) throw UsageError("plot needs -o DIR, where the pictures go");
   const ReadRuns read = read_runs(options.runs);
-  for (const std::string& trouble : read.troubles) write_stderr(fmt::format("gudgeon: {}\n", trouble));
+  for (const std::string& error : read.errors) write_stderr(fmt::format("gudgeon: {}\n", error));
   const std::vector<NamedFigure> figures = select_figures(make_all_figures(read), options.names);
   if (options.list) {
     for (const NamedFigure& one : figures) write_stdout(fmt::format("{}\n", one.name));
-    return read.troubles.empty() ? ExitCode::done : ExitCode::file;
+    return read.errors.empty() ? ExitCode::done : ExitCode::file;
   }
   make_picture_directory(options.directory);
   for (const NamedFigure& one : figures) {
@@ -109,7 +109,7 @@ ExitCode run_plot(const PlotOptions& options) {
     }
   }
   for (const NamedFigure& one : figures) write_figure(options, one);
-  return read.troubles.empty() ? ExitCode::done : ExitCode::file;
+  return read.errors.empty() ? ExitCode::done : ExitCode::file;
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ void add_plot_command(CLI::App& program, Action& action) {
   const auto options = std::make_shared<PlotOptions>();
   CLI::App* command = program.add_subcommand("plot", "Write each figure of a study as SVG, PNG or PDF");
   command->add_option("DIR", options->runs, "Directory of run files, or one run file (HDF5)")->required();
-  command->add_option("-o,--output", options->directory, "Directory to write to; it is made when missing");
+  command->add_option("-o,--output", options->directory, "Output directory (created if missing)");
   command
       ->add_option("--figure", options->names, "Only this figure: CASE.NAME, or NAME in every case (may be repeated)")
       ->type_name("NAME")

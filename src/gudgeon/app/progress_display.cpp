@@ -83,13 +83,13 @@ void ProgressDisplay::finish(int index, std::string_view outcome) {
   one.outcome += fmt::format("{}: {} after {}\n", one.name, outcome, render_duration(find_seconds(one.start)));
 }
 
-void ProgressDisplay::tell(int index, std::string_view line, bool is_trouble) {
+void ProgressDisplay::tell(int index, std::string_view line, bool is_error) {
   const std::lock_guard lock(mutex_);
   CaseProgress& one = cases_[index];
   const std::string text = fmt::format("{}: {}\n", one.name, line);
   if (style_ != ProgressStyle::silent) {
     one.outcome += text;
-  } else if (is_trouble) {
+  } else if (is_error) {
     write_stderr("gudgeon: case " + text);
   }
 }

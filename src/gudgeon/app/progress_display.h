@@ -27,8 +27,8 @@ class ProgressDisplay {
   void begin(int index);
   void update(int index, const Progress& progress);
   void finish(int index, std::string_view outcome);
-  /// A line about the case; one that tells of trouble is written whatever the style.
-  void tell(int index, std::string_view line, bool is_trouble);
+  /// A line about the case; one that tells of an error is written whatever the style.
+  void tell(int index, std::string_view line, bool is_error);
 
   /// A message that waits to be shown among the outcomes; from any thread.
   void add_message(std::string text);

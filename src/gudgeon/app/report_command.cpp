@@ -40,15 +40,15 @@ std::filesystem::path find_report_file(const std::filesystem::path& directory) {
 ExitCode write_report(const std::filesystem::path& runs, const std::filesystem::path& output) {
   const ReadRuns read = read_runs(runs);
   ReportPage page(read.runs.size());
-  for (const std::string& trouble : read.troubles) {
-    write_stderr(fmt::format("gudgeon: {}\n", trouble));
-    page.add_warning("Not in this report: " + trouble);
+  for (const std::string& error : read.errors) {
+    write_stderr(fmt::format("gudgeon: {}\n", error));
+    page.add_warning("Not in this report: " + error);
   }
   for (const ReadRun& one : read.runs) page.add_case(read_report_case(one, page.has_room()));
   page.add_comparisons(group_cases(read.runs));
   write_whole(output, page.render());
   write_receipt(fmt::format("{}\n", output.string()));
-  return read.troubles.empty() ? ExitCode::done : ExitCode::file;
+  return read.errors.empty() ? ExitCode::done : ExitCode::file;
 }
 
 void add_report_command(CLI::App& program, Action& action) {

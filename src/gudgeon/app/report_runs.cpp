@@ -80,10 +80,10 @@ ReadRuns read_runs(const std::filesystem::path& path) {
       one.model = read_stored_model(one.outline);
       read.runs.push_back(std::move(one));
     } catch (const FileError& error) {
-      read.troubles.emplace_back(error.what());
+      read.errors.emplace_back(error.what());
     }
   }
-  if (read.runs.empty()) throw FileError(fmt::format("{}", fmt::join(read.troubles, "\n  ")));
+  if (read.runs.empty()) throw FileError(fmt::format("{}", fmt::join(read.errors, "\n  ")));
   std::ranges::stable_sort(read.runs, {}, find_rank);
   return read;
 }
@@ -125,7 +125,7 @@ ReportCase read_report_case(const ReadRun& one, bool with_samples) {
       }
     }
   } else {
-    report.trouble =
+    report.model_error =
         "This version of gudgeon cannot read the model that the run file holds: the mechanism is not animated and its "
         "values are not listed.";
   }

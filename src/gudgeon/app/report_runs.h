@@ -22,8 +22,8 @@ struct ReadRun {
 };
 
 struct ReadRuns {
-  std::vector<ReadRun> runs;          ///< the base case first, then in the order of the model's cases
-  std::vector<std::string> troubles;  ///< one line a file that could not be read
+  std::vector<ReadRun> runs;        ///< the base case first, then in the order of the model's cases
+  std::vector<std::string> errors;  ///< one line a file that could not be read
 };
 
 /// The run files of a directory, or the one that is named. FileError when there is none that can be read.

@@ -110,17 +110,17 @@ RunLocks prepare_outputs(const std::vector<CaseRun>& cases, Existing existing) {
       throw FileError(fmt::format("directory '{}' cannot be made: {}", directory.string(), failure.message()));
   }
   RunLocks locks = lock_outputs(cases);  // which also proves that files can be made there
-  std::vector<std::string> troubles;
+  std::vector<std::string> errors;
   for (const CaseRun& one : cases) {
     try {
       check_target(one.file, existing != Existing::refuse);
     } catch (const FileError& error) {
-      troubles.emplace_back(error.what());
+      errors.emplace_back(error.what());
     }
   }
-  if (!troubles.empty()) {
+  if (!errors.empty()) {
     throw FileError(fmt::format(
-        "{}{}", fmt::join(troubles, "\n  "),
+        "{}{}", fmt::join(errors, "\n  "),
         existing == Existing::refuse ? "\n  --overwrite replaces run files, --resume goes on with them" : ""));
   }
   return locks;

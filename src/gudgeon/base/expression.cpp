@@ -94,11 +94,11 @@ std::string describe(const mu::ParserError& error) {
   const std::string quoted = "'" + error.GetToken() + "'";
   switch (error.GetCode()) {
     case mu::ecUNASSIGNABLE_TOKEN:
-      return "there is no name or function " + quoted;
+      return "unknown name " + quoted;
     case mu::ecUNEXPECTED_EOF:
-      return "it ends too early";
+      return "unexpected end";
     case mu::ecINTERNAL_ERROR:
-      return "an operator lacks a value";
+      return "an operator has no operand";
     case mu::ecMISSING_PARENS:
       return "a closing ')' is missing";
     case mu::ecTOO_MANY_PARAMS:
@@ -106,7 +106,7 @@ std::string describe(const mu::ParserError& error) {
     case mu::ecTOO_FEW_PARAMS:
       return "function " + quoted + " has too few arguments";
     case mu::ecMISSING_ELSE_CLAUSE:
-      return "'?' lacks its ':'";
+      return "'?' has no ':'";
     case mu::ecSTRING_EXPECTED:
     case mu::ecVAL_EXPECTED:
     case mu::ecSTR_RESULT:

@@ -26,7 +26,7 @@ DocumentNode* find_node(DocumentNode::Table& table, std::string_view key) {
 
 std::string_view kind_name(const DocumentNode& node) {
   static constexpr std::array<std::string_view, 6> kNames{"a date or time", "true or false", "a number",
-                                                          "a text",         "an array",      "a table"};
+                                                          "a string",       "an array",      "a table"};
   return kNames[node.value.index()];
 }
 
@@ -42,7 +42,7 @@ namespace {
 void check_control(std::string_view text, std::string_view what, const std::string& path, const std::string& control,
                    Diagnostics& diagnostics) {
   if (control.empty()) return;
-  diagnostics.error("E-FILE-015", path, fmt::format("{} \"{}\" holds the control character {}", what, text, control),
+  diagnostics.error("E-FILE-015", path, fmt::format("{} \"{}\" contains the control character {}", what, text, control),
                     {"names and texts are made of visible characters, blanks, tabs and newlines; leave it out"});
 }
 
@@ -56,7 +56,7 @@ std::string find_control_of_key(std::string_view key) {
 // The path is given back as it was.
 void check_controls_below(const DocumentNode& node, std::string& path, Diagnostics& diagnostics) {
   if (const auto* text = std::get_if<std::string>(&node.value)) {
-    check_control(*text, "the text", path, find_control(*text), diagnostics);
+    check_control(*text, "the string", path, find_control(*text), diagnostics);
   }
   const std::size_t length = path.size();
   const auto enter = [&](const DocumentNode& child, std::string_view key) {

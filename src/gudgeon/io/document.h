@@ -42,7 +42,7 @@ struct DocumentEntry {
 const DocumentNode* find_node(const DocumentNode::Table& table, std::string_view key);
 DocumentNode* find_node(DocumentNode::Table& table, std::string_view key);
 
-/// What a value is, in words: "a text", "a table" …
+/// What a value is, in words: "a string", "a table" …
 std::string_view kind_name(const DocumentNode& node);
 
 /// A TOML document as a table. Bad syntax adds an error E-TOML-001, tables that nest too deep E-TOML-002, registered in

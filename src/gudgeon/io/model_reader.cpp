@@ -125,7 +125,7 @@ void ModelDocument::update_with_case(DocumentNode& root, ModelFile& model) const
     std::vector<std::string> names;
     for (const Case& known : cases_) names.push_back(known.name);
     ReadLog log{model.source, model.diagnostics};
-    report_choice("E-FILE-009", "cases", fmt::format("there is no case '{}'", model.case_name), model.case_name, names,
+    report_choice("E-FILE-009", "cases", fmt::format("unknown case '{}'", model.case_name), model.case_name, names,
                   log);
     return;
   }

@@ -112,16 +112,16 @@ DocumentNode make_node(const toml::node& from, const TextIndex& text) {
   return node;
 }
 
-std::string find_next_step(std::string_view trouble) {
-  if (trouble.find("not representable in 64 bits") != std::string_view::npos) {
+std::string find_next_step(std::string_view error) {
+  if (error.find("not representable in 64 bits") != std::string_view::npos) {
     return "whole numbers go from -9223372036854775808 to 9223372036854775807; others need a point or an exponent: "
            "1e20";
   }
-  if (trouble.find("floating-point") != std::string_view::npos &&
-      trouble.find("could not be interpreted") != std::string_view::npos) {
+  if (error.find("floating-point") != std::string_view::npos &&
+      error.find("could not be interpreted") != std::string_view::npos) {
     return "numbers go up to 1.8e308 in size";
   }
-  return "a text needs quotes, a quantity with a unit too: mass = \"148 g\"";
+  return "strings need quotes, quantities with a unit too: mass = \"148 g\"";
 }
 
 void clear_spans(DocumentNode& node) {

@@ -24,8 +24,8 @@ Material read_material_of(TableReader& contact, std::string_view key, std::span<
   for (const Material& material : materials) names.push_back(material.name);
   if (!name.empty()) {
     report_choice("E-FILE-011", contact.path_of(key),
-                  fmt::format("{}: {} is \"{}\", and no material has that name", contact.subject(), key, name), name,
-                  names, contact.log());
+                  fmt::format("{}: {}: unknown material '{}'", contact.subject(), key, name), name, names,
+                  contact.log());
   }
   return {};
 }

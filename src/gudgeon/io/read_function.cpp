@@ -42,16 +42,16 @@ double read_unit(TableReader& table, std::string_view key, std::optional<Dimensi
   const DocumentNode* node = table.find(key);
   if (node == nullptr) return 1.0;
   const auto* text = std::get_if<std::string>(&node->value);
-  const auto parsed = text == nullptr ? std::variant<Quantity, QuantityError>{QuantityError{"a text is needed"}}
+  const auto parsed = text == nullptr ? std::variant<Quantity, QuantityError>{QuantityError{"expected a string"}}
                                       : parse_quantity("1 " + *text);
   if (const auto* error = std::get_if<QuantityError>(&parsed)) {
-    table.report("E-FILE-004", key, fmt::format("{} is no unit: {}", key, error->message));
+    table.report("E-FILE-004", key, fmt::format("{} is not a valid unit: {}", key, error->message));
     return 1.0;
   }
   const Quantity& unit = std::get<Quantity>(parsed);
   if (dimension && unit.dimension != *dimension) {
     table.report("E-FILE-005", key,
-                 fmt::format("{} is \"{}\", {}; {} is needed", key, *text, dimension_name(unit.dimension),
+                 fmt::format("{} is \"{}\", {}; expected {}", key, *text, dimension_name(unit.dimension),
                              dimension_name(*dimension)));
     return 1.0;
   }
@@ -97,7 +97,7 @@ std::optional<Smoothing> read_smoothing(TableReader& table, std::optional<Dimens
   if (quantity.dimension == per_argument) return Smoothing{quantity.value, 0.0};
   if (quantity.dimension == value) return Smoothing{0.0, quantity.value};
   table.report("E-FILE-005", "smoothing",
-               fmt::format("smoothing is \"{}\", {}; a cut-off in {} or a tolerance, {}, is needed", *text,
+               fmt::format("smoothing is \"{}\", {}; expected a cut-off in {} or a tolerance, {}", *text,
                            dimension_name(quantity.dimension), si_unit(per_argument), dimension_name(value)));
   return std::nullopt;
 }

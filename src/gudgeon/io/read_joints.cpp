@@ -52,8 +52,7 @@ ContactProperties read_contact_of(TableReader& table, std::span<const ContactPro
   for (const ContactProperties& contact : contacts) names.push_back(contact.name);
   if (!name.empty()) {
     report_choice("E-FILE-012", table.path_of("contact"),
-                  fmt::format("{}: contact is \"{}\", and no contact has that name", table.subject(), name), name,
-                  names, table.log());
+                  fmt::format("{}: unknown contact '{}'", table.subject(), name), name, names, table.log());
   }
   return {};
 }

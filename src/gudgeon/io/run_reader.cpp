@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Root of a run file, and the one place where troubles inside a file meet its path.
+// Root of a run file, and the one place where errors inside a file meet its path.
 #include "gudgeon/io/run_reader.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ namespace gudgeon {
 namespace {
 
 /// What names of a file put into it commands no terminal, is one line, and is not endless.
-std::string show_trouble(std::string_view why) {
+std::string show_error(std::string_view why) {
   constexpr std::size_t kLongest = 1000;
   return shorten(show_line(why), kLongest);
 }
@@ -50,10 +50,10 @@ auto read_inside(const std::filesystem::path& file, Read read) {
     why = "it does not fit into memory";
   }
   throw FileError(fmt::format("{}: cannot be read as a run file: {}; give a file that 'gudgeon run' wrote",
-                              file.string(), show_trouble(why)));
+                              file.string(), show_error(why)));
 }
 
-/// Adds the stage's name to troubles inside it.
+/// Adds the stage's name to errors inside it.
 template <class Read>
 auto read_in_stage(const std::string& name, Read read) {
   try {

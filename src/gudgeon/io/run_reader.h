@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads a run file back. Every trouble, also a damaged or foreign file, is a FileError.
+// Reads a run file back. Every error, also a damaged or foreign file, is a FileError.
 #pragma once
 
 #include <filesystem>

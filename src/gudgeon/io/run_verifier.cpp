@@ -25,9 +25,9 @@ namespace {
 /// By address, the first name that leads there.
 using Places = std::map<std::uint64_t, std::string>;
 
-void note(RunVerification& found, std::string_view place, std::string_view trouble) {
+void note(RunVerification& found, std::string_view place, std::string_view error) {
   constexpr std::size_t kLongest = 1000;
-  found.troubles.push_back(shorten(show_line(fmt::format("{}: {}", place.empty() ? "/" : place, trouble)), kLongest));
+  found.errors.push_back(shorten(show_line(fmt::format("{}: {}", place.empty() ? "/" : place, error)), kLongest));
 }
 
 /// "/stages/ideal/channels/time" of "/stages/ideal/channels/slider/time".
@@ -159,15 +159,15 @@ RunVerification verify_run(const std::filesystem::path& file) {
     found.n_stages = run.stages.size();
     verify_whole(file, run, found);
   } catch (const FileError& error) {
-    if (found.troubles.empty()) found.troubles.emplace_back(error.what());
+    if (found.errors.empty()) found.errors.emplace_back(error.what());
   }
   return found;
 }
 
 RunVerification require_sound(const std::filesystem::path& file) {
   RunVerification found = verify_run(file);
-  if (found.troubles.empty()) return found;
-  throw FileError(fmt::format("{}: is damaged:\n  {}", file.string(), fmt::join(found.troubles, "\n  ")));
+  if (found.errors.empty()) return found;
+  throw FileError(fmt::format("{}: is damaged:\n  {}", file.string(), fmt::join(found.errors, "\n  ")));
 }
 
 }  // namespace gudgeon

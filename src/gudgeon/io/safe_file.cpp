@@ -154,16 +154,14 @@ void write_whole(const std::filesystem::path& file, std::string_view text) {
 
 void check_target(const std::filesystem::path& file, bool overwrite) {
   struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) return;  // nothing there; other troubles show when writing
+  if (::stat(file.c_str(), &status) != 0) return;  // nothing there; other errors show when writing
   if (S_ISDIR(status.st_mode)) fail_file(file, "cannot be written", EISDIR);
   if (!S_ISREG(status.st_mode)) {
     throw FileError(fmt::format("{}: cannot be written: it is not a regular file; choose another name", file.string()));
   }
   if (!overwrite) {
     throw FileError(
-        fmt::format("{}: exists already and is not replaced unasked; choose another name or allow "
-                    "overwriting",
-                    file.string()));
+        fmt::format("{}: already exists; use --overwrite to replace it, or choose another name", file.string()));
   }
 }
 

@@ -37,7 +37,7 @@ const char* find_status_name(StageStatus status) {
 SampleBlock find_samples(const StageRecord& stage) { return {stage.name, stage.channels, stage.time, stage.values}; }
 
 Hdf5Handle make_stage_group(const Hdf5Handle& stages, const std::string& name) {
-  if (has_link(stages, name)) throw FileError("a stage of that name is there already");
+  if (has_link(stages, name)) throw FileError("a stage of that name already exists");
   return make_group(stages, name, 12, 12);
 }
 

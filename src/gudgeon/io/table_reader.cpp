@@ -55,16 +55,16 @@ std::optional<double> read_quantity(const DocumentNode& node, std::optional<Dime
     return fail("E-FILE-004", fmt::format("{}; it must be finite", node.written));
   }
   const auto* text = std::get_if<std::string>(&node.value);
-  if (text == nullptr) return fail("E-FILE-003", fmt::format("{}; {} is needed", kind_name(node), wanted));
+  if (text == nullptr) return fail("E-FILE-003", fmt::format("{}; expected {}", kind_name(node), wanted));
   const auto parsed = parse_quantity(*text);
   if (const auto* wrong = std::get_if<QuantityError>(&parsed)) {
-    return fail("E-FILE-004", fmt::format("\"{}\": {}", *text, wrong->message), {wanted + " is needed"});
+    return fail("E-FILE-004", fmt::format("\"{}\": {}", *text, wrong->message), {"expected " + wanted});
   }
   const auto& quantity = std::get<Quantity>(parsed);
   // "pi/2" is an angle: the radian is a number.
   const bool plain_angle = dimension == dimension::kAngle && quantity.dimension == dimension::kNone;
   if (!dimension || quantity.dimension == *dimension || plain_angle) return check_size(quantity.value);
-  return fail("E-FILE-005", fmt::format("\"{}\", {}; {} is needed", *text, dimension_name(quantity.dimension), wanted));
+  return fail("E-FILE-005", fmt::format("\"{}\", {}; expected {}", *text, dimension_name(quantity.dimension), wanted));
 }
 
 void report_choice(std::string_view code, const std::string& path, const std::string& message, std::string_view name,
@@ -79,7 +79,7 @@ void report_choice(std::string_view code, const std::string& path, const std::st
 TableReader::TableReader(const DocumentNode& node, std::string path, std::string subject, ReadLog& log)
     : node_(&node), path_(std::move(path)), subject_(std::move(subject)), log_(&log) {
   if (node.table() == nullptr) {
-    log.diagnostics.error("E-FILE-003", path_, fmt::format("{} is {}; a table is needed", subject_, kind_name(node)));
+    log.diagnostics.error("E-FILE-003", path_, fmt::format("{} is {}; expected a table", subject_, kind_name(node)));
   }
 }
 
@@ -110,7 +110,7 @@ std::optional<std::string> TableReader::find_text(std::string_view key) {
   const DocumentNode* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (const auto* text = std::get_if<std::string>(&node->value)) return *text;
-  report("E-FILE-003", key, fmt::format("{} is {}; a text is needed", key, kind_name(*node)));
+  report("E-FILE-003", key, fmt::format("{} is {}; expected a string", key, kind_name(*node)));
   return std::nullopt;
 }
 
@@ -161,7 +161,7 @@ std::optional<int> TableReader::find_count(std::string_view key) {
   report("E-FILE-007", key,
          fmt::format("{} is {}; {}", key, node->written,
                      whole ? fmt::format("whole numbers go from {:.0f} to {:.0f} here", -kGreatestCount, kGreatestCount)
-                           : "a whole number is needed"));
+                           : "expected a whole number"));
   return std::nullopt;
 }
 
@@ -169,7 +169,7 @@ std::optional<bool> TableReader::find_switch(std::string_view key) {
   const DocumentNode* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (const auto* value = std::get_if<bool>(&node->value)) return *value;
-  report("E-FILE-003", key, fmt::format("{} is {}; true or false is needed", key, kind_name(*node)));
+  report("E-FILE-003", key, fmt::format("{} is {}; expected true or false", key, kind_name(*node)));
   return std::nullopt;
 }
 
@@ -192,8 +192,7 @@ bool TableReader::is_newer(std::string_view key, std::string_view than) const {
 
 void TableReader::report_unknown_choice(std::string_view key, std::string_view name,
                                         std::span<const std::string> possible) {
-  report_choice("E-FILE-006", path_of(key),
-                fmt::format("{}: {} is \"{}\", and there is none of that name", subject_, key, name), name, possible,
+  report_choice("E-FILE-006", path_of(key), fmt::format("{}: unknown {} '{}'", subject_, key, name), name, possible,
                 *log_);
 }
 

@@ -27,8 +27,7 @@ bool check_over(CheckRules& rules, const FunctionUse& use, const SampledCurve& c
     return false;
   }
   if (known) return true;
-  rules.report_unknown("E-MODEL-082", path,
-                       fmt::format("{} is over '{}', and there is nothing of that name", use.subject, curve.over),
+  rules.report_unknown("E-MODEL-082", path, fmt::format("{} is over unknown channel '{}'", use.subject, curve.over),
                        curve.over, "channels", rules.channels().names());
   return false;
 }

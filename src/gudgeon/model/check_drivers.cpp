@@ -106,7 +106,7 @@ class DriverCheck {
   bool check_body(const char* key, const std::string& body) {
     if (rules_.names.find_body(body) >= 0) return true;
     rules_.report_unknown("E-MODEL-040", path_ + key,
-                          fmt::format("{} drives {}body '{}', and no body has that name", subject_,
+                          fmt::format("{} drives {}unknown body '{}'", subject_,
                                       std::string_view{key} == ".against" ? "against " : "", body),
                           body, "bodies", list_names(rules_.mechanism.bodies));
     return false;
@@ -116,8 +116,8 @@ class DriverCheck {
     const int index = rules_.names.find_joint(joint);
     if (index < 0) {
       rules_.report_unknown("E-MODEL-040", path_ + ".slide",
-                            fmt::format("{} drives joint '{}', and no joint has that name", subject_, joint), joint,
-                            "joints", list_names(rules_.mechanism.joints));
+                            fmt::format("{} drives unknown joint '{}'", subject_, joint), joint, "joints",
+                            list_names(rules_.mechanism.joints));
       return false;
     }
     const AnyJoint& kind = rules_.mechanism.joints[index].kind;

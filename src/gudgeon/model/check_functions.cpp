@@ -101,11 +101,9 @@ class ExpressionCheck {
           "E-MODEL-083", found, fmt::format("uses '{}', which is a result", name),
           {"forces, accelerations and contacts depend on the loads, so loads may depend on positions and speeds only"});
     } else if (called) {
-      fail("E-MODEL-082", found, fmt::format("calls '{}', and there is no function of that name", name),
-           list_functions(name));
+      fail("E-MODEL-082", found, fmt::format("calls unknown function '{}'", name), list_functions(name));
     } else {
-      fail("E-MODEL-082", found, fmt::format("uses '{}', and there is nothing of that name", name),
-           list_possible(name));
+      fail("E-MODEL-082", found, fmt::format("uses unknown name '{}'", name), list_possible(name));
     }
     return false;
   }
@@ -127,7 +125,7 @@ class ExpressionCheck {
       return true;
     } catch (const ExpressionError& error) {
       fail("E-MODEL-081", {FormulaToken::Kind::symbol, "", static_cast<int>(error.position())},
-           fmt::format("is no formula: {}", error.what()), list_hints());
+           fmt::format("is not a valid expression: {}", error.what()), list_hints());
       return false;
     }
   }

@@ -85,8 +85,7 @@ class LoadCheck {
 
   bool check_body(const char* key, const std::string& body) {
     if (rules_.names.find_body(body) >= 0) return true;
-    rules_.report_unknown("E-MODEL-050", path_ + key,
-                          fmt::format("{} acts on body '{}', and no body has that name", subject_, body), body,
+    rules_.report_unknown("E-MODEL-050", path_ + key, fmt::format("{} acts on unknown body '{}'", subject_, body), body,
                           "bodies", list_names(rules_.mechanism.bodies));
     return false;
   }

@@ -54,7 +54,7 @@ bool check_cycle_driver(CheckRules& rules) {
   if (name.empty()) return true;
   if (found == drivers.end()) {
     rules.report_unknown("E-STUDY-001", "study.cycle_driver",
-                         fmt::format("study: cycle_driver is '{}', and no driver has that name", name), name, "drivers",
+                         fmt::format("study: cycle_driver: unknown driver '{}'", name), name, "drivers",
                          list_names(drivers));
   } else if (!std::holds_alternative<DrivenAngle>(found->target)) {
     rules.diagnostics.error("E-STUDY-002", "study.cycle_driver",
@@ -199,7 +199,7 @@ void check_reference(CheckRules& rules) {
     const std::string subject = fmt::format("reference value {}", i + 1);
     if (std::ranges::find(kMeasures, reference.measure) == kMeasures.end()) {
       rules.report_unknown("E-STUDY-007", path + ".measure",
-                           fmt::format("{}: there is no measure '{}'", subject, reference.measure), reference.measure,
+                           fmt::format("{}: unknown measure '{}'", subject, reference.measure), reference.measure,
                            "measures", kMeasures);
     }
     if (reference.channel.empty()) {

@@ -44,7 +44,7 @@ struct ReportCase {
   std::vector<ReferenceRow> reference;
   std::vector<StatedValue> stated;
   std::vector<StatusMeaning> statuses;
-  std::string trouble;  ///< why the model in the file could not be used; empty when it could
+  std::string model_error;  ///< why the model in the file could not be used; empty when it could
 };
 
 }  // namespace gudgeon

@@ -90,7 +90,7 @@ std::string render_simulated(const ReportCase& one) {
 
 std::string render_warnings(const ReportCase& one) {
   std::string html;
-  if (!one.trouble.empty()) html += make_paragraph(one.trouble, "warning");
+  if (!one.model_error.empty()) html += make_paragraph(one.model_error, "warning");
   for (const StageRecord& stage : one.run.stages) {
     if (is_unbalanced(stage)) {
       html +=
