@@ -82,10 +82,10 @@ Hdf5Handle open_root(const Hdf5Handle& file) {
 }
 
 void keep_order(const Hdf5Handle& creation) {
-  constexpr unsigned kMostCompact = 65535;  // all that HDF5 allows
+  constexpr unsigned kMostCompactLinks = 65535;  // all that HDF5 allows
   check_status(H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
                "cannot keep order of", "links");
-  check_status(H5Pset_link_phase_change(creation.id(), kMostCompact, 0), "cannot keep compact", "links");
+  check_status(H5Pset_link_phase_change(creation.id(), kMostCompactLinks, 0), "cannot keep compact", "links");
 }
 
 Hdf5Handle make_group(const Hdf5Handle& parent, const std::string& name, unsigned n_members, unsigned name_size) {

@@ -24,7 +24,7 @@ namespace {
 void update_with_overrides(DocumentNode& root, std::span<const Override> given, ModelFile& model) {
   for (const Override& one : given) {
     const std::string origin = fmt::format("--set {}={}", one.path, one.value);
-    const Override& change = model.overrides.emplace_back(find_present_path(one.path), one.value);
+    const Override& change = model.overrides.emplace_back(Override{find_present_path(one.path), one.value});
     if (change.path != one.path) {
       const std::string where = fmt::format("(override {})", one.path);
       model.source.origins[where] = origin;
