@@ -163,7 +163,7 @@ bool wait_for_stage(const TemporaryFolder& folder, const std::string& run_file, 
 TEST(RunCommand, ResumedRunHasTheSameBits) {
 // A stage takes about half a second then, long enough to be interrupted.
 #ifdef GUDGEON_SANITIZE
-  const std::string cycles = "study.cycles=2";
+  const std::string cycles = "study.cycles=3";
 #else
   const std::string cycles = "study.cycles=20";
 #endif
