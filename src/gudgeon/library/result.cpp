@@ -38,11 +38,6 @@ const Item& find_named(const std::vector<Item>& items, Name member, std::string_
 
 std::string name_place(const StageRecord& stage) { return fmt::format(" in stage '{}'", stage.name); }
 
-DepthProfile add_depths(std::vector<double> depths, const std::vector<double>& added) {
-  std::ranges::transform(depths, added, depths.begin(), std::plus{});
-  return DepthProfile(std::move(depths));
-}
-
 }  // namespace
 
 double DepthProfile::max() const { return depths_.empty() ? 0.0 : std::ranges::max(depths_); }
@@ -50,10 +45,6 @@ double DepthProfile::max() const { return depths_.empty() ? 0.0 : std::ranges::m
 double DepthProfile::mean() const {
   return depths_.empty() ? 0.0 : std::accumulate(depths_.begin(), depths_.end(), 0.0) / static_cast<double>(size());
 }
-
-DepthProfile JointResult::bearing_depth() const { return add_depths(wear_->bearing_depth, wear_->bearing_depth_added); }
-
-DepthProfile JointResult::journal_depth() const { return add_depths(wear_->journal_depth, wear_->journal_depth_added); }
 
 std::vector<std::string> StageResult::joint_names() const { return list_names(stage_->wear, &JointWear::joint); }
 

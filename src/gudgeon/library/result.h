@@ -44,8 +44,8 @@ class JointResult {
 
   [[nodiscard]] const std::string& name() const { return wear_->joint; }
   /// Depths after the stage: what all stages up to and with it have worn, times the wear acceleration.
-  [[nodiscard]] DepthProfile bearing_depth() const;
-  [[nodiscard]] DepthProfile journal_depth() const;
+  [[nodiscard]] DepthProfile bearing_depth() const { return DepthProfile(wear_->bearing_depth_after()); }
+  [[nodiscard]] DepthProfile journal_depth() const { return DepthProfile(wear_->journal_depth_after()); }
   /// What this stage alone has added to them.
   [[nodiscard]] DepthProfile bearing_depth_added() const { return DepthProfile(wear_->bearing_depth_added); }
   [[nodiscard]] DepthProfile journal_depth_added() const { return DepthProfile(wear_->journal_depth_added); }
@@ -95,7 +95,7 @@ class Result {
   /// The last stage that was run.
   [[nodiscard]] StageResult last_stage() const& { return StageResult(stages_.back()); }
   [[nodiscard]] StageResult last_stage() && = delete;
-  /// Why its numbers are not all to be relied on: stages that failed, were stopped, or whose energy does not add up;
+  /// Why its numbers are not all to be relied on: stages that failed, were stopped, or whose energy is not balanced;
   /// a sentence each. Empty when all is right, as it always is of a run that require_sound was asked of.
   [[nodiscard]] std::vector<std::string> problems() const;
 

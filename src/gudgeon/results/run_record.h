@@ -99,6 +99,9 @@ struct JointWear {
   double impulse = 0.0;                     ///< [N s] ∫ F dt
 
   [[nodiscard]] std::size_t n_bearing_surfaces() const { return slot_length > 0.0 ? 2 : 1; }
+  /// [m] a cell, of the surfaces that the stage leaves.
+  [[nodiscard]] std::vector<double> bearing_depth_after() const;
+  [[nodiscard]] std::vector<double> journal_depth_after() const;
   /// Of each surface.
   [[nodiscard]] std::size_t n_cells() const { return bearing_depth.size() / n_bearing_surfaces(); }
 };

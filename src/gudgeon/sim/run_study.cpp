@@ -23,17 +23,11 @@ std::string stage_name(int wear_updates) {
   return wear_updates == 0 ? std::string{"no_wear"} : fmt::format("wear_{}", wear_updates);
 }
 
-std::vector<double> add_depths(std::vector<double> depth, const std::vector<double>& added) {
-  for (std::size_t k = 0; k < depth.size(); ++k) depth[k] += added[k];
-  return depth;
-}
-
 // The surfaces that the next stage runs on, and how far they have slid.
 void rebuild_surfaces(System& system, const StageRecord& stage, double wear_acceleration) {
   for (std::size_t k = 0; k < stage.wear.size(); ++k) {
     const JointWear& wear = stage.wear[k];
-    set_surfaces(system, k, add_depths(wear.bearing_depth, wear.bearing_depth_added),
-                 add_depths(wear.journal_depth, wear.journal_depth_added));
+    set_surfaces(system, k, wear.bearing_depth_after(), wear.journal_depth_after());
     const ContactGroup& group = system.tables.contact_groups[k];
     for (int c = group.first_contact; c < group.end_contact; ++c) {
       system.tables.contacts[c].sliding_distance += wear_acceleration * wear.sliding_distance;
@@ -45,7 +39,7 @@ void rebuild_surfaces(System& system, const StageRecord& stage, double wear_acce
 std::string find_worn_through(const StageRecord& stage) {
   std::string text;
   for (const JointWear& wear : stage.wear) {
-    const double deepest = std::ranges::max(add_depths(wear.journal_depth, wear.journal_depth_added));
+    const double deepest = std::ranges::max(wear.journal_depth_after());
     if (deepest < wear.journal_radius) continue;
     text += fmt::format("{}joint '{}': its journal of radius {:.4g} mm would be worn {:.4g} mm deep",
                         text.empty() ? "" : "; ", wear.joint, 1e3 * wear.journal_radius, 1e3 * deepest);

@@ -20,12 +20,6 @@ bool has_depth(const std::vector<double>& depth) {
   return std::ranges::any_of(depth, [](double d) { return d > 0.0; });
 }
 
-std::vector<double> add_depths(std::vector<double> worn, const std::vector<double>& added) {
-  if (worn.size() != added.size()) return worn;
-  std::ranges::transform(worn, added, worn.begin(), std::plus<>());
-  return worn;
-}
-
 SurfaceProfile make_round(const char* name, double radius, double outwards, std::span<const double> depth) {
   SurfaceProfile profile{name, std::string("Angle in the ") + name, "rad", radius, -1, outwards, nullptr, nullptr};
   std::vector<double> angles;
@@ -59,10 +53,8 @@ std::vector<WearState> find_wear_states(const RunRecord& run, const std::string&
   const StageRecord& last = run.stages.back();
   const JointWear* wear = find_wear(last, joint);
   if (wear == nullptr || !has_depth(wear->total_depth_added)) return states;
-  states.push_back({"after " + label_stage(last.name), last.name,
-                    add_depths(wear->bearing_depth, wear->bearing_depth_added),
-                    add_depths(wear->journal_depth, wear->journal_depth_added),
-                    find_accumulated_depth(run, run.stages.size() - 1, joint)});
+  states.push_back({"after " + label_stage(last.name), last.name, wear->bearing_depth_after(),
+                    wear->journal_depth_after(), find_accumulated_depth(run, run.stages.size() - 1, joint)});
   return states;
 }
 
