@@ -20,12 +20,13 @@ constexpr double kAtRest = 1e-9;
 class Magnitudes {
  public:
   explicit Magnitudes(const StageRecord& stage) {
-    for (std::size_t k = 0; k < std::min(stage.channels.size(), stage.values.size()); ++k) {
-      double& magnitude = of_[stage.channels[k].name];
-      for (const double value : stage.values[k]) magnitude = std::max(magnitude, std::abs(value));
-    }
     for (const ChannelStatistics& statistics : stage.statistics) {
-      of_[statistics.channel] = std::abs(statistics.peak());
+      of_.emplace(statistics.channel, std::abs(statistics.peak()));
+    }
+    for (std::size_t k = 0; k < std::min(stage.channels.size(), stage.values.size()); ++k) {
+      const auto [known, is_new] = of_.emplace(stage.channels[k].name, 0.0);
+      if (!is_new) continue;
+      for (const double value : stage.values[k]) known->second = std::max(known->second, std::abs(value));
     }
   }
 
