@@ -17,7 +17,7 @@
 
 #include "gudgeon/analysis/energy_audit.h"
 #include "gudgeon/app/case_checkpoints.h"
-#include "gudgeon/app/case_results.h"
+#include "gudgeon/app/case_summary.h"
 #include "gudgeon/app/checkpoint_clock.h"
 #include "gudgeon/app/interruption.h"
 #include "gudgeon/base/diagnostics.h"
@@ -125,7 +125,7 @@ void run_stages(CaseRun& one, const ModelFile& model, int index, Existing existi
   clock.note_written(CheckpointClock::read(), CheckpointClock::read());  // what was read is as good as written
   RunRecord run = header;
   run.stages = run_study(model.mechanism, model.study, hooks, std::move(finished), checkpoints.take());
-  if (one.wants_summary) one.summary = summarize_case(one, std::move(run));
+  if (one.wants_summary) one.summary = summarize_case(one.file, std::move(run), one.reference);
 }
 
 /// How a case ended, in a word or two for the progress display.
