@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
 #include <sstream>
+#include <string>
 
 #include "gudgeon/base/diagnostics.h"
 #include "tests/io/scratch_directory.h"
@@ -94,6 +96,20 @@ TEST(CsvExport, UnitsDecimationAndDecimalComma) {
             "0;0;2;0,05;0,02;0,12;A.normal_force;kN");
   EXPECT_EQ(split_lines(read_text_file(scratch / "ideal_energy.csv"))[5], "0,012;driver_work");
   EXPECT_EQ(split_lines(read_text_file(scratch / "no_wear_events.csv"))[2], "0,7;0,005;0,3;2;1;-20;3;A");
+}
+
+// The list and the tables are written apart.
+TEST(CsvExport, ListsTheUnitsOfItsColumns) {
+  const ScratchDirectory scratch;
+  const RunRecord run = make_run();
+  std::set<std::string> units{"J"};  // a row each of the energies, with their unit beside them
+  for (const auto& file : export_csv(run, scratch.path(), false)) {
+    const std::string headings = split_lines(read_text_file(file))[0];
+    for (auto at = headings.find('['); at != std::string::npos; at = headings.find('[', at + 1)) {
+      units.insert(headings.substr(at + 1, headings.find(']', at) - at - 1));
+    }
+  }
+  EXPECT_EQ(units, list_csv_units(run));
 }
 
 TEST(CsvExport, OutlineAndShortSeriesGiveEmptyCells) {
