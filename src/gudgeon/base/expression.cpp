@@ -63,9 +63,12 @@ std::size_t find_assignment(const std::string& text) {
 constexpr std::size_t kMostCharacters = 20000;  // what muParser takes
 constexpr int kMostLevels = 200;  // of parentheses; every function around another is run through for each of its breaks
 
-constexpr const char* kTooLong =
-    "it is too long: it may have 20000 characters, and fewer where it compares, or uses abs, min, max and the like; a "
-    "curve can hold more";
+std::string describe_length() {
+  return fmt::format(
+      "it is too long: it may have {} characters, and fewer where it compares, or uses abs, min, max and the like; a "
+      "curve can hold more",
+      kMostCharacters);
+}
 
 /// Where the parentheses go deeper than that; npos when they do not.
 std::size_t find_depth_excess(const std::string& text) {
@@ -79,7 +82,7 @@ std::size_t find_depth_excess(const std::string& text) {
 
 /// Throws an ExpressionError for what would take long to be refused, or longer than it is worth.
 void check_extent(const std::string& text) {
-  if (text.size() > kMostCharacters) throw ExpressionError(kTooLong, kMostCharacters);
+  if (text.size() > kMostCharacters) throw ExpressionError(describe_length(), kMostCharacters);
   if (const std::size_t at = find_depth_excess(text); at != std::string::npos) {
     throw ExpressionError(fmt::format("its parentheses nest deeper than {} levels; a chain of 'a ? b : c ? d : e' "
                                       "needs none, and a curve can hold more",
@@ -87,7 +90,7 @@ void check_extent(const std::string& text) {
                           at);
   }
   const std::size_t at = find_marked_excess(text, kMostCharacters);
-  if (at != std::string::npos) throw ExpressionError(kTooLong, at);
+  if (at != std::string::npos) throw ExpressionError(describe_length(), at);
 }
 
 std::string describe(const mu::ParserError& error) {
@@ -113,7 +116,7 @@ std::string describe(const mu::ParserError& error) {
     case mu::ecUNTERMINATED_STRING:
       return "text in quotes has no value";
     case mu::ecEXPRESSION_TOO_LONG:
-      return kTooLong;
+      return describe_length();
     case mu::ecIDENTIFIER_TOO_LONG:
       return "it holds a name of more than 100 characters";
     default:

@@ -91,6 +91,7 @@ std::string show_controls(std::string_view text) {
 }
 
 std::string show_line(std::string_view text) {
+  if (std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; })) return std::string{text};
   return show(text, [](char32_t code) { return code == U'\n' || code == U'\t' || is_control(code); });
 }
 
