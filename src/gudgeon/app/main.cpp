@@ -3,6 +3,8 @@
 //
 // The program: parse, do what is asked, tell how it ended.
 #include <fmt/format.h>
+#include <malloc.h>
+#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -19,7 +21,15 @@ namespace {
 
 using gudgeon::ExitCode;
 
+/// Where the address space is limited (ulimit -v, a cluster's h_vmem), all threads share one heap: one of each thread
+/// takes 64 MiB of addresses, and a thread that gets none takes a page of memory for every small block.
+void share_heap_under_limit() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) ::mallopt(M_ARENA_MAX, 1);
+}
+
 ExitCode run_program(int argc, const char* const* argv) {
+  share_heap_under_limit();
   gudgeon::open_closed_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no larger is a failed write, with its own message
   CLI::App program;
