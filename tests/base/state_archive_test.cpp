@@ -47,9 +47,7 @@ class Nested {
 };
 
 std::string save(Nested& nested) {
-  StateArchive archive;
-  archive(nested);
-  return archive.seal();
+  return StateArchive::pack([&](StateArchive& archive) { archive(nested); });
 }
 
 TEST(StateArchive, GivesBackWhatWasSaved) {
@@ -87,20 +85,18 @@ TEST(StateArchive, RefusesEveryFlippedBitAndEveryCut) {
 }
 
 TEST(StateArchive, RefusesALengthThatTheBytesCannotHold) {
-  StateArchive huge;
   std::size_t n = std::numeric_limits<std::size_t>::max() / 4;
-  huge(n);
-  const std::string bytes = huge.seal();
+  const std::string bytes = StateArchive::pack([&](StateArchive& archive) { archive(n); });
   StateArchive archive(bytes);
   std::vector<double> values;
   EXPECT_THROW(archive.list(values), FileError);
 }
 
 TEST(StateArchive, RequiresWhatMustBeTheSame) {
-  StateArchive saved;
-  saved.require(2.5);
-  saved.require_text("no_wear");
-  const std::string bytes = saved.seal();
+  const std::string bytes = StateArchive::pack([](StateArchive& archive) {
+    archive.require(2.5);
+    archive.require_text("no_wear");
+  });
   StateArchive same(bytes);
   EXPECT_NO_THROW(same.require(2.5));
   EXPECT_THROW(same.require_text("no_Wear"), FileError);

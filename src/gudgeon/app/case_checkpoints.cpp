@@ -55,10 +55,11 @@ std::optional<Checkpoint> CaseCheckpoints::take() {
   return std::move(std::exchange(saved_, std::nullopt)->checkpoint);
 }
 
-void CaseCheckpoints::write(const Checkpoint& checkpoint, RunWriter& writer) {
+void CaseCheckpoints::write(Checkpoint checkpoint, RunWriter& writer) {
   try {
     const bool has_samples = checkpoint.n_samples_handed_over > 0;
-    write_checkpoint(file_, header_, {checkpoint, has_samples ? writer.save_stage_under_way() : std::string{}});
+    std::string written = has_samples ? writer.save_stage_under_way() : std::string{};
+    write_checkpoint(file_, header_, {std::move(checkpoint), std::move(written)});
   } catch (const FileError& error) {
     if (!std::exchange(has_failed_, true)) tell_(fmt::format("goes on without checkpoints: {}", error.what()), true);
   }

@@ -36,7 +36,7 @@ class CaseCheckpoints {
   [[nodiscard]] std::optional<Checkpoint> take();
 
   /// Writes one, in place of the one before. Tells once when that fails: the run goes on without.
-  void write(const Checkpoint& checkpoint, RunWriter& writer);
+  void write(Checkpoint checkpoint, RunWriter& writer);
   /// A stage is in the run file: one that is whole needs no checkpoint any more.
   void note_stage(const StageRecord& stage);
 

@@ -116,9 +116,9 @@ void run_stages(CaseRun& one, const ModelFile& model, int index, Existing existi
     checkpoints.note_stage(stage);
     update_outcome(one, stage);
   };
-  hooks.checkpoint = [&](const Checkpoint& checkpoint) {
+  hooks.checkpoint = [&](Checkpoint checkpoint) {
     const double began = CheckpointClock::read();
-    checkpoints.write(checkpoint, writer);
+    checkpoints.write(std::move(checkpoint), writer);
     clock.note_written(began, CheckpointClock::read());
   };
   hooks.checkpoint_wanted = &clock.wanted();

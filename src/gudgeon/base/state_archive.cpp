@@ -24,6 +24,8 @@ std::uint32_t find_checksum(std::string_view bytes) {
   return crc.checksum();
 }
 
+StateArchive::StateArchive() : saved_(kSealMark) { saved_.resize(kSealSize); }
+
 StateArchive::StateArchive(std::string_view sealed) : is_loading_(true) {
   if (sealed.size() < kSealSize || !sealed.starts_with(kSealMark)) refuse();
   std::uint32_t checksum = 0;
@@ -32,12 +34,10 @@ StateArchive::StateArchive(std::string_view sealed) : is_loading_(true) {
   if (find_checksum(source_) != checksum) refuse();
 }
 
-std::string StateArchive::seal() const {
-  const std::uint32_t checksum = find_checksum(saved_);
-  std::string sealed(kSealMark);
-  sealed.reserve(kSealSize + saved_.size());
-  sealed.append(reinterpret_cast<const char*>(&checksum), sizeof checksum);
-  return sealed += saved_;
+std::string StateArchive::seal() && {
+  const std::uint32_t checksum = find_checksum(std::string_view(saved_).substr(kSealSize));
+  std::memcpy(saved_.data() + kSealMark.size(), &checksum, sizeof checksum);
+  return std::move(saved_);
 }
 
 void StateArchive::require_text(std::string_view text) {
@@ -63,6 +63,10 @@ void StateArchive::expect_end() const {
 
 void StateArchive::copy(void* data, std::size_t size) {
   if (size == 0) return;
+  if (is_counting_) {
+    n_counted_ += size;
+    return;
+  }
   if (!is_loading_) {
     saved_.append(static_cast<const char*>(data), size);
     return;

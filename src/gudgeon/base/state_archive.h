@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace gudgeon {
@@ -21,10 +22,20 @@ namespace gudgeon {
 /// alone is not listed. Bytes are those of this machine and of this program.
 class StateArchive {
  public:
-  /// Saves.
-  StateArchive() = default;
   /// Loads from sealed bytes, which have to outlive it. Throws FileError when they are damaged or foreign.
   explicit StateArchive(std::string_view sealed);
+
+  /// The sealed bytes of what save(archive) saves; it is called twice, first to find how many they are.
+  template <class Save>
+  [[nodiscard]] static std::string pack(Save save) {
+    StateArchive counting;
+    counting.is_counting_ = true;
+    save(counting);
+    StateArchive archive;
+    archive.saved_.reserve(archive.saved_.size() + counting.n_counted_);
+    save(archive);
+    return std::move(archive).seal();
+  }
 
   [[nodiscard]] bool is_loading() const { return is_loading_; }
 
@@ -62,12 +73,15 @@ class StateArchive {
   /// Throws FileError: what is loaded cannot be what was saved.
   [[noreturn]] static void refuse();
 
-  /// What was saved, with its checksum.
-  [[nodiscard]] std::string seal() const;
   /// Throws FileError when there is more than was loaded.
   void expect_end() const;
 
  private:
+  // Saves.
+  StateArchive();
+  // What was saved, with its checksum.
+  [[nodiscard]] std::string seal() &&;
+
   // Numbers, and structs of nothing but numbers.
   template <class T>
   static constexpr bool is_plain = std::is_arithmetic_v<T> || std::is_enum_v<T> ||
@@ -106,7 +120,9 @@ class StateArchive {
   [[nodiscard]] std::size_t left() const { return source_.size(); }
 
   bool is_loading_ = false;
-  std::string saved_;
+  bool is_counting_ = false;
+  std::size_t n_counted_ = 0;
+  std::string saved_;        // behind room for the seal
   std::string_view source_;  // what is still to be loaded
 };
 

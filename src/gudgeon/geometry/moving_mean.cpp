@@ -16,9 +16,8 @@ constexpr int kPasses = 3;
 constexpr double kGreatestShare = 1.0 / 3.0;
 
 // The values with so many more at either end, as what follows there.
-std::vector<double> find_padded(const std::vector<double>& values, std::size_t n_more, bool is_round) {
-  std::vector<double> padded;
-  padded.reserve(values.size() + 2 * n_more);
+void pad(const std::vector<double>& values, std::size_t n_more, bool is_round, std::vector<double>& padded) {
+  padded.clear();
   const auto begin = values.begin();
   const auto end = values.end();
   const auto more = static_cast<std::ptrdiff_t>(n_more);
@@ -31,23 +30,20 @@ std::vector<double> find_padded(const std::vector<double>& values, std::size_t n
     padded.insert(padded.end(), begin, end);
     padded.insert(padded.end(), values.rbegin(), values.rbegin() + more);
   }
-  return padded;
 }
 
 // The sums of all windows of so many values: each is the tail of one block of that length and the head of the next.
-std::vector<double> sum_windows(const std::vector<double>& values, std::size_t length) {
-  std::vector<double> heads = values;
-  std::vector<double> tails = values;
-  for (std::size_t k = 1; k < values.size(); ++k) {
-    if (k % length != 0) heads[k] += heads[k - 1];
-    const std::size_t back = values.size() - 1 - k;
-    if ((back + 1) % length != 0) tails[back] += tails[back + 1];
+void sum_windows(const std::vector<double>& values, std::size_t length, std::vector<double>& sums) {
+  sums.resize(values.size() - length + 1);
+  std::vector<double> tails(length);
+  for (std::size_t block = 0; block < sums.size(); block += length) {
+    double tail = 0.0;
+    for (std::size_t k = length; k-- > 0;) tails[k] = tail += values[block + k];
+    sums[block] = tails[0];
+    double head = 0.0;
+    const std::size_t n = std::min(length, sums.size() - block);
+    for (std::size_t k = 1; k < n; ++k) sums[block + k] = tails[k] + (head += values[block + length + k - 1]);
   }
-  std::vector<double> sums(values.size() - length + 1);
-  for (std::size_t k = 0; k < sums.size(); ++k) {
-    sums[k] = k % length == 0 ? tails[k] : tails[k] + heads[k + length - 1];
-  }
-  return sums;
 }
 
 }  // namespace
@@ -58,9 +54,12 @@ void smooth_by_moving_means(std::vector<double>& values, double width, bool is_r
   if (!(width > 1.0)) return;
   const auto half = static_cast<std::size_t>(0.5 * (width - 1.0));  // whole cells to either side
   const double rest = 0.5 * (width - 1.0) - static_cast<double>(half);
+  std::vector<double> padded;
+  padded.reserve(values.size() + 2 * (half + 1));
+  std::vector<double> inner;
   for (int pass = 0; pass < kPasses; ++pass) {
-    const std::vector<double> padded = find_padded(values, half + 1, is_round);
-    const std::vector<double> inner = sum_windows(padded, 2 * half + 1);
+    pad(values, half + 1, is_round, padded);
+    sum_windows(padded, 2 * half + 1, inner);
     for (std::size_t k = 0; k < values.size(); ++k) {
       values[k] = (inner[k + 1] + rest * (padded[k] + padded[k + 2 * half + 2])) / width;
     }

@@ -67,9 +67,7 @@ std::string pack(const PageJournal& journal) {
   entries.reserve(journal.pages.size());
   for (const auto& [number, page] : journal.pages) entries.push_back({number, page});
   PageJournal numbers{journal.end, {}, journal.first_before};
-  StateArchive archive;
-  transfer(archive, numbers, entries);
-  return archive.seal();
+  return StateArchive::pack([&](StateArchive& archive) { transfer(archive, numbers, entries); });
 }
 
 std::optional<PageJournal> unpack_journal(std::string_view bytes) {

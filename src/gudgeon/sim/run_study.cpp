@@ -112,6 +112,7 @@ class StudyRunner {
     };
     report(0.0);
     StageRun stage(system, study_, cycle_time_, name);
+    if (is_stopped_before(name)) return false;  // it takes a second to be made where surfaces have a million cells
     if (hooks_.samples) stage.stream(hooks_.samples_per_block, hooks_.samples);
     if (hooks_.checkpoint) stage.save(hooks_.checkpoint_wanted, hooks_.checkpoint);
     if (checkpoint_ && checkpoint_->stage == name) stage.resume(*std::exchange(checkpoint_, std::nullopt));

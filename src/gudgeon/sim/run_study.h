@@ -45,7 +45,7 @@ struct RunHooks {
   /// Takes the stage under way, when `checkpoint_wanted` is set from outside, which clears it, and where the stage is
   /// stopped; after the samples that were handed over before. A stage by the stiff integrator gives one when it next
   /// can, and none where it is stopped. That one is taken changes no bit of the results.
-  std::function<void(const Checkpoint&)> checkpoint;
+  std::function<void(Checkpoint)> checkpoint;
   std::atomic<bool>* checkpoint_wanted = nullptr;
 };
 

@@ -32,7 +32,7 @@ std::uint32_t find_surface_checksum(const Tables& tables) {
 
 }  // namespace
 
-void StageRun::save(std::atomic<bool>* wanted, std::function<void(const Checkpoint&)> take) {
+void StageRun::save(std::atomic<bool>* wanted, std::function<void(Checkpoint)> take) {
   checkpoint_wanted_ = wanted;
   take_checkpoint_ = std::move(take);
 }
@@ -49,9 +49,8 @@ void StageRun::resume(const Checkpoint& checkpoint) {
 void StageRun::take_checkpoint() {
   if (!take_checkpoint_ || !motion_.can_be_saved() || (!is_sampled_ && !motion_.saves_last_step())) return;
   if (checkpoint_wanted_ != nullptr) checkpoint_wanted_->store(false, std::memory_order_relaxed);
-  StateArchive archive;
-  transfer(archive);
-  take_checkpoint_({record_.name, motion_.time(), recorder_.n_handed_over(), archive.seal()});
+  std::string state = StateArchive::pack([&](StateArchive& archive) { transfer(archive); });
+  take_checkpoint_({record_.name, motion_.time(), recorder_.n_handed_over(), std::move(state)});
 }
 
 void StageRun::transfer(StateArchive& archive) {

@@ -35,7 +35,7 @@ class StageRun {
   void stream(std::size_t block_size, const std::function<void(const SampleBlock&)>& take);
   /// Takes checkpoints: after a step when `wanted`, which is then cleared, and where it is stopped. A stage by the
   /// stiff integrator is only saved where that starts anew: every now and then, and not where it is stopped.
-  void save(std::atomic<bool>* wanted, std::function<void(const Checkpoint&)> take);
+  void save(std::atomic<bool>* wanted, std::function<void(Checkpoint)> take);
   /// Goes on from there, not from a start. Throws FileError when it cannot be one of this stage.
   void resume(const Checkpoint& checkpoint);
   /// progress is called about a hundred times with the share of the stage that is done.
@@ -92,7 +92,7 @@ class StageRun {
   double earlier_wall_time_ = 0.0;  // [s] before it was resumed
   Clock::time_point began_at_;      // later by the time that others took
   std::atomic<bool>* checkpoint_wanted_ = nullptr;
-  std::function<void(const Checkpoint&)> take_checkpoint_;
+  std::function<void(Checkpoint)> take_checkpoint_;
 };
 
 }  // namespace gudgeon
