@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: gudgeon contributors
 # SPDX-License-Identifier: Apache-2.0
 #
-# One target a floor: gudgeon_add_floor(NAME [UNHURRIED] USES lower floors and libraries).
+# One target a floor: gudgeon_add_floor(NAME [UNHURRIED] [READS] USES lower floors and libraries); READS is said of those
+# that take bytes from outside.
 # Headers and sources are the files of the floor's folder; each header is checked to stand alone.
 
 add_library(gudgeon_options INTERFACE)
@@ -23,12 +24,15 @@ if(GUDGEON_SANITIZE)
   target_link_options(gudgeon_options INTERFACE -fsanitize=address,undefined)
   target_compile_definitions(gudgeon_options INTERFACE GUDGEON_SANITIZE)
 endif()
+if(GUDGEON_FUZZ OR (GUDGEON_SANITIZE AND CMAKE_CXX_COMPILER_ID MATCHES "Clang"))
+  set(GUDGEON_HAS_FUZZERS ON)
+endif()
 if(GUDGEON_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     message(FATAL_ERROR "GUDGEON_FUZZ takes Clang: -DCMAKE_CXX_COMPILER=clang++")
   endif()
   target_compile_options(gudgeon_options INTERFACE
-    -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
   target_link_options(gudgeon_options INTERFACE -fsanitize=address,undefined)
   target_compile_definitions(gudgeon_options INTERFACE GUDGEON_SANITIZE)
 endif()
@@ -42,7 +46,7 @@ if(GUDGEON_SANITIZE)
 endif()
 
 function(gudgeon_add_floor name)
-  cmake_parse_arguments(arg "UNHURRIED" "" "USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(arg "UNHURRIED;READS" "" "USES;PRIVATE_USES" ${ARGN})
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.h)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   set(target gudgeon_${name})
@@ -52,6 +56,9 @@ function(gudgeon_add_floor name)
     target_link_libraries(${target} PRIVATE gudgeon_options ${arg_PRIVATE_USES})
     if(arg_UNHURRIED)
       target_link_libraries(${target} PRIVATE gudgeon_unhurried_options)
+    endif()
+    if(arg_READS AND GUDGEON_HAS_FUZZERS)
+      target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)  # libFuzzer sees which lines an input reaches
     endif()
   else()
     add_library(${target} INTERFACE)
