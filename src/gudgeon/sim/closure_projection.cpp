@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One linear correction for positions and one for rates, with the factors at hand.
+// One linear correction for positions and one for rates, with the factors at hand:
+// H dq + Jᵀ μ = 0,  J dq = −residual: the least ½ dqᵀ H dq (docs/theory/dynamics.md, Eq. D15)
 #include "gudgeon/sim/closure_projection.h"
 
 #include <algorithm>

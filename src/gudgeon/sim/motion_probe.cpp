@@ -55,6 +55,7 @@ double MotionProbe::find_driver_value(int driver) const {
   return find_slide(find_joint(mechanism, std::get<DrivenSlide>(mechanism.drivers[driver].target).joint)).displacement;
 }
 
+// μ = atan2(|a × b|, −a·b) of two links, α = atan2(|a·b|, |a × b|) with a guide (docs/theory/kinematics.md, Eq. K3)
 double MotionProbe::find_transmission(const LoopFold& fold) const {
   const FoldAngle angle = solver_->folds().find_angle(fold, solver_->workspace().coordinates);
   if (solver_->folds().has_guide(fold)) return std::atan2(std::abs(angle.cosine), std::abs(angle.sine));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Error norm and controller.
+// Error norm and controller; equations are numbered as in docs/theory/time.md.
 #include "gudgeon/sim/step_control.h"
 
 #include <algorithm>
@@ -30,7 +30,8 @@ constexpr double kStrictest = 0.1;
 StepControl::StepControl(const ErrorTolerance& tolerance, double first_step)
     : tolerance_(&tolerance), next_(first_step) {}
 
-// Root mean square of the local errors against their tolerances; not finite when anything is not.
+// Root mean square of the local errors against their tolerances; not finite when anything is not:
+// err² = mean of [error_i/(atol + rtol · size_i)]²,  size_i = max(|y_i(t)|, |y_i(t + h)|)      (Eq. T2)
 double StepControl::find_error(const AttemptedStep& step) const {
   const std::size_t n_controlled = tolerance_->n_controlled();
   double sum = 0.0;
@@ -45,6 +46,7 @@ double StepControl::find_error(const AttemptedStep& step) const {
   return std::max(std::sqrt(sum / count), kLeastError);
 }
 
+// h_next = h · clamp(0.9 err^−0.17 err_last^0.04, 0.2, 5), after a rejection at most 0.9 h      (Eq. T3)
 bool StepControl::accepts(const AttemptedStep& step) {
   const double local_error = find_error(step);
   const double energy_error = std::min(step.energy_error, std::max(local_error / kStrictest, step.loss_error));

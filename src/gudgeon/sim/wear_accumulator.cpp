@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pressure, laws, and the two rules of distribution.
+// Pressure, laws, and the two rules of distribution; equations are numbered as in docs/theory/wear.md.
 #include "gudgeon/sim/wear_accumulator.h"
 
 #include <algorithm>
@@ -63,7 +63,8 @@ double find_wear_rate(const AnyWear& any, const WearContact& contact) noexcept {
   return std::visit([&](const auto& law) { return law(contact); }, any);
 }
 
-// Surface after surface; of a round one the last cell is beside the first.
+// M h_k, h_k averaged three times over a tenth of the contacts' length (Eqs. W4, W7): surface after surface; of a round
+// one the last cell is beside the first.
 std::vector<double> find_accelerated(const std::vector<ArcAccumulator>& accumulators, double wear_acceleration,
                                      double finest, bool is_round) {
   std::vector<double> depths;
@@ -164,7 +165,8 @@ double WearAccumulator::find_length(const ContactSample& sample) const noexcept 
                             : find_contact_arc(penetration, sample.bearing_radius, sample.journal_radius).length;
 }
 
-// [m^2/s] after a distance slid in this stage.
+// ḣ L [m^2/s], ḣ = k_d p |v| or as another law has it, after a distance slid in this stage: laws are proportional to
+// the pressure, here the mean p = F/(w L), and are asked at p L      (Eqs. W1, W3)
 WearAccumulator::Amounts WearAccumulator::find_rates(const ContactSample& sample, double distance) const noexcept {
   const Contact& contact = contacts_.front();  // its laws and width are those of all
   WearContact wear{sample.normal_force / contact.width, std::abs(sample.slip_speed),
@@ -340,7 +342,8 @@ void WearAccumulator::distribute_at(const Place& place, const Amounts& amounts) 
   distribute_between(place, place, amounts);
 }
 
-// Over what the contact covers on its way, whose mean length the amounts are spread over.
+// Over what the contact covers on its way, whose mean length L̄ the amounts are spread over:
+// h(x) = V/(w L̄) · (share of the movement during which the arc covers x)      (Eq. W4)
 void WearAccumulator::distribute_between(const Place& from, const Place& to, const Amounts& amounts) noexcept {
   const double length = 0.5 * (from.length + to.length);
   length_sum_ += length * (amounts.bearing + amounts.journal);

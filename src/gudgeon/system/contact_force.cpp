@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Normal force, friction and their powers.
+// Normal force, friction and their powers; equations are numbered as in docs/theory/contact.md.
 #include "gudgeon/system/contact_force.h"
 
 #include <algorithm>
@@ -13,6 +13,7 @@ namespace gudgeon {
 
 namespace {
 
+// v = t·(ṙ_j − ṙ_i) + θ̇_j ℓ_j − θ̇_i ℓ_i, both bodies looked at in the middle of the overlap      (Eq. C8)
 double find_slip_speed(const ContactGap& gap, const RelativeMotion& motion) noexcept {
   return dot(perp(gap.normal), motion.velocity) + motion.journal_rate * gap.journal_lever -
          motion.bearing_rate * gap.bearing_lever;
@@ -71,6 +72,7 @@ std::optional<NormalForceEnd> find_normal_force_end(const Contact& contact, cons
       contact.normal_force);
 }
 
+// 4/(3π (σ_i + σ_j)) with σ = (1 − ν²)/(π E)      (Eq. C5)
 double find_stiffness_factor(const Material& bearing, const Material& journal) {
   return 4.0 / 3.0 * find_contact_modulus(bearing, journal);
 }
@@ -136,13 +138,13 @@ void update_contact_forces(const Contact& contact, const RelativeMotion& motion,
     return;
   }
 
-  // Along the normal.
+  // Along the normal: F of the law, P_D = (F − F_el) δ̇      (Eqs. C6, C7, C12)
   const NormalForce normal = find_normal_force(contact, make_normal_contact(contact, mode, gap));
   forces.normal_force = normal.force;
   forces.elastic_energy = normal.elastic_energy;
   forces.damping_power = (normal.force - normal.elastic_force) * gap.penetration_rate;
 
-  // Along the slip, at the middle of the overlap.
+  // Along the slip: −μF t on the journal, torques −μF ℓ_j and μF ℓ_i, P_f = μF v      (Eqs. C9, C12)
   const Vec2 tangent = perp(gap.normal);
   forces.slip_speed = find_slip_speed(gap, motion);
   const Friction friction = find_friction(contact.friction, forces.slip_speed, bristle);
@@ -153,15 +155,17 @@ void update_contact_forces(const Contact& contact, const RelativeMotion& motion,
   forces.torque_on_journal = -forces.friction_force * gap.journal_lever;
   forces.torque_on_bearing = forces.friction_force * gap.bearing_lever;
 
-  // Energy stored at one place of a worn surface is given back at another, where the same penetration holds another.
+  // Energy stored at one place of a worn surface is given back at another, where the same penetration holds another:
+  // P_s = ∂U/∂ln R_r · d(ln R_r)/dt + ∂U/∂ln ΔR · d(ln ΔR)/dt      (Eq. C12)
   forces.surface_power =
       normal.energy_by_radius * gap.relative_radius_rate + normal.energy_by_clearance * gap.clearance_rate;
   if (contact.normal_direction == NormalDirection::gap_gradient) {
+    // −F ∂δ/∂r_j, −F ∂δ/∂θ_i, −F ∂δ/∂θ_j      (Eq. C10)
     forces.force_on_journal -= normal.force * gap.gradient;
     forces.torque_on_bearing -= normal.force * gap.bearing_gradient;
     forces.torque_on_journal -= normal.force * gap.journal_gradient;
   } else {
-    // About the bearing's point; none where n is the line of centres.
+    // −F n through the journal's centre (Eq. C11); about the bearing's point none where n is the line of centres.
     const double torque = normal.force * cross(motion.offset, gap.normal);
     forces.force_on_journal -= normal.force * gap.normal;
     forces.torque_on_bearing += torque;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Coordinates from the state, the solution of the equations, and what follows from it.
+// Coordinates from the state, the solution of the equations, and what follows from it (docs/theory/dynamics.md):
+// [H Jᵀ; J 0] [q̈; −λ] = [Q − H_fd ẍ_d; γ − J_d ẍ_d]      (Eq. D11)
 #include "gudgeon/system/dynamics.h"
 
 #include <algorithm>
@@ -72,6 +73,7 @@ void refine(const Tables& tables, double t, std::span<const ContactMode> contact
 
 // A driver delivers what its own equation lacks once everything else is known; one between two moving bodies is a
 // closure, and its torque is the multiplier λ.
+// T_d = Σ_u H_du q̈_u + Σ_e H_de ẍ_e − J_dᵀ λ − Q_d      (Eq. D13)
 void find_efforts(const Tables& tables, Workspace& ws) noexcept {
   const int n_driven = tables.counts.n_driven();
   for (int d = 0; d < n_driven; ++d) ws.effort[d] = -ws.equations[tables.n_solve + d];

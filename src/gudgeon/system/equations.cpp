@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pairs, slides, loads, contacts and closures, each from its own table.
+// Pairs, slides, loads, contacts and closures, each from its own table; equations are numbered as in
+// docs/theory/dynamics.md. Throughout, Δ = θ_j − θ_i and, summed over the bodies that have both terms,
+// C = (Σ m a·b) cos Δ − (Σ m a×b) sin Δ,  S = (Σ m a×b) cos Δ + (Σ m a·b) sin Δ      (Eq. D3)
 #include "gudgeon/system/equations.h"
 
 #include <algorithm>
@@ -12,6 +14,7 @@ namespace gudgeon {
 
 namespace {
 
+// H_ij = C,  Q_i += S θ̇_j²,  Q_j −= S θ̇_i²      (Eq. D4)
 void add_turn_pairs(const Tables& tables, Workspace& ws) noexcept {
   const Rotation* rotation = ws.coordinates.rotation.data();
   const double* rate = ws.coordinates.angle_rate.data();
@@ -23,7 +26,9 @@ void add_turn_pairs(const Tables& tables, Workspace& ws) noexcept {
   }
 }
 
-// With p = c_p R_i a and q = c_q R_j b, virtual work δp·q̈ + δq·p̈ (of a term with itself δp·p̈ alone).
+// With p = c_p R_i a and q = c_q R_j b, virtual work δp·q̈ + δq·p̈ (of a term with itself δp·p̈ alone):
+// H(θ_i, θ_j) = c_p c_q C,  H(θ_i, c_q) = c_p S,  H(c_p, c_q) = C,  H(c_p, θ_j) = −c_q S
+// Q(θ_i) += c_p (c_q θ̇_j² S − 2 ċ_q θ̇_j C),  Q(c_p) += c_q θ̇_j² C + 2 ċ_q θ̇_j S, and i, j exchanged      (Eq. D5)
 void add_slide_pairs(const Tables& tables, Workspace& ws) noexcept {
   const Coordinates& at = ws.coordinates;
   for (const SlidePair& pair : tables.slide_pairs) {
@@ -53,6 +58,7 @@ void add_slide_pairs(const Tables& tables, Workspace& ws) noexcept {
   }
 }
 
+// Q(θ) += c [(Σ a×F) cos θ − (Σ a·F) sin θ],  Q(c) += (Σ a·F) cos θ + (Σ a×F) sin θ      (Eq. D6)
 void add_constant_loads(const Tables& tables, Workspace& ws) noexcept {
   const Coordinates& at = ws.coordinates;
   const int unit_slide = tables.counts.unit_slide();
@@ -96,7 +102,8 @@ void add_contacts(const Tables& tables, std::span<const ContactMode> contact_mod
   }
 }
 
-// Virtual work of each row's force, handed down to the row it starts from.
+// Virtual work of each row's force f, handed down to the row it starts from:
+// Q(θ) += c (R a × f),  Q(c) += R a · f      (Eq. D7)
 inline void hand_loads_down(const Tables& tables, const Workspace& ws, Vec2* loads, double* equations) noexcept {
   const auto& rows = tables.points.rows();
   const int unit_slide = tables.counts.unit_slide();
@@ -131,7 +138,8 @@ void add_forces_at_points(const Tables& tables, double t, std::span<const Contac
   hand_loads_down(tables, ws, ws.point_loads.data(), ws.equations.data());
 }
 
-// Position, velocity and velocity-dependent acceleration of a closure's sum.
+// Position, velocity and velocity-dependent acceleration of a closure's sum φ = Σ c R(θ) a, the last
+// b = Σ −c θ̇² R a + 2 ċ θ̇ ⊥(R a)      (Eq. D10)
 struct LoopMotion {
   Vec2 gap;
   Vec2 rate;
@@ -154,6 +162,7 @@ inline void add_arm(LoopMotion& loop, double rate, Vec2 arm) noexcept {
   loop.bias += (-rate * rate) * arm;
 }
 
+// φ = r_second − r_first = Σ c R(θ) a,  J(θ) = c ⊥(R a),  J(c) = R a      (Eq. D8)
 // Most terms have a constant length. They are worth a branch: all of what they would add for a slide goes to the one
 // bin, each addition waiting for the last.
 void add_point_closure(const Tables& tables, const ClosureRows& rows, LoopMotion& loop, Workspace& ws) noexcept {
@@ -176,7 +185,8 @@ void add_point_closure(const Tables& tables, const ClosureRows& rows, LoopMotion
   }
 }
 
-// Only the component along the turning normal counts; seen from its body the sum moves with ḋ − θ̇ J d.
+// φ = n·d,  φ̇ = n·ḋ + θ̇_l n×d,  J(θ) = c (R a)×n,  J(c) = (R a)·n,  J(θ_l) += n×d      (Eq. D9)
+// b = n·b_sum + 2 θ̇_l n×ḋ − θ̇_l² n·d, as n turns with its body at θ̇_l      (Eq. D10)
 void add_line_closure(const Tables& tables, const ClosureRows& rows, LoopMotion& loop, Workspace& ws) noexcept {
   const Coordinates& at = ws.coordinates;
   const Vec2 normal = at.rotation[rows.line_turn] * rows.normal;
@@ -194,7 +204,7 @@ void add_line_closure(const Tables& tables, const ClosureRows& rows, LoopMotion&
   loop = {{dot(normal, loop.gap), 0.0}, {dot(normal, loop.rate) + turning * cross(normal, loop.gap), 0.0}, {bias, 0.0}};
 }
 
-// Gap and rate of an angle against what its driver asks for; its Jacobian is constant.
+// φ = θ_i − θ_k − f(t) with the motion f that the driver asks for; b = −f̈ and J is constant      (Eqs. D9a, D10)
 void add_angle_closure(const ClosureRows& rows, const Coordinates& at, LoopMotion& loop) noexcept {
   const DrivenValue& asked = at.driven[rows.driver];
   loop.gap.x = at.angle[rows.angle_turn[0]] - at.angle[rows.angle_turn[1]] - asked.value;
@@ -202,6 +212,7 @@ void add_angle_closure(const ClosureRows& rows, const Coordinates& at, LoopMotio
   loop.bias.x = -asked.acceleration;
 }
 
+// γ = −b − 2 α φ̇ − β² φ      (Eq. D11)
 void add_closures(const Tables& tables, Feedback feedback, Workspace& ws) noexcept {
   for (std::size_t c = 0; c < tables.closures.size(); ++c) {
     const ClosureRows& rows = tables.closures[c];
@@ -225,7 +236,8 @@ void add_closures(const Tables& tables, Feedback feedback, Workspace& ws) noexce
   }
 }
 
-// Known accelerations stand on the right-hand side of the unknowns, the rows and the driven coordinates' own equations.
+// Known accelerations ẍ_d stand on the right-hand side of the unknowns, the rows and the driven coordinates' own
+// equations: Q − H_fd ẍ_d, γ − J_d ẍ_d      (Eq. D11)
 void subtract_driven_accelerations(const Tables& tables, Workspace& ws) noexcept {
   const auto acceleration = [&](int index) { return ws.coordinates.driven[index - tables.n_solve].acceleration; };
   for (const Coupling& coupling : tables.couplings) {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Eigenvalues of the linearised motion.
+// Eigenvalues λ of the linearised motion ÿ = −K y − C ẏ: frequency |Im λ|/2π, damping ratio −Re λ/|λ|
+// (docs/theory/kinematics.md, Eq. K7).
 #include "gudgeon/system/equilibrium_modes.h"
 
 #include <Eigen/Eigenvalues>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Taylor's prediction, Gauss-Newton on the closures, and a watch on the sign of their determinant.
+// Taylor's prediction, Gauss-Newton on the closures, and a watch on the sign of their determinant:
+// q + q̇ h + ½ q̈ h²,  then q ← q − J⁺ φ(q, t),  J q̇ = −∂φ/∂t (docs/theory/kinematics.md, Eq. K1)
 #include "gudgeon/system/kinematics.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Channels first, then every load of every table.
+// Channels first, then every load of every table; equations are numbered as in docs/theory/loads.md.
 #include "gudgeon/system/load_forces.h"
 
 #include <cmath>
@@ -84,6 +84,7 @@ double find_rate(const TurnCouple& couple, const Coordinates& at) noexcept {
   return at.angle_rate[couple.second_turn] - at.angle_rate[couple.first_turn];
 }
 
+// F = R(θ_axes) (f_x, f_y) at a point r, P = F·ṙ      (Eq. L1)
 void add_force(const ForceLoad& load, const LoadTables& tables, Workspace& ws) noexcept {
   const Vec2 components{eval_function(tables, load.x, ws.loads), eval_function(tables, load.y, ws.loads)};
   LoadEffect& effect = ws.loads.effects[load.load];
@@ -92,6 +93,7 @@ void add_force(const ForceLoad& load, const LoadTables& tables, Workspace& ws) n
   ws.point_loads[load.row] += effect.force;
 }
 
+// M on a body, −M on the one it acts against, P = M (θ̇ − θ̇_against)      (Eq. L1)
 void add_torque(const TorqueLoad& load, const LoadTables& tables, Workspace& ws) noexcept {
   LoadEffect& effect = ws.loads.effects[load.load];
   effect.torque = eval_function(tables, load.torque, ws.loads);
@@ -100,7 +102,7 @@ void add_torque(const TorqueLoad& load, const LoadTables& tables, Workspace& ws)
 }
 
 // Direction from a spring's first point to its second. Where they coincide there is none: only a spring that pulls
-// nothing there, k L₀ = 0, passes, in the direction it moves; for any other there is no force to be told.
+// nothing there, k L₀ = 0, passes, in the direction it moves; for any other there is no force to be told.      (Eq. L3)
 Vec2 find_direction(const SpringLoad& spring, Vec2 apart, double length, Vec2 velocity) noexcept {
   if (length > 0.0) return (1.0 / length) * apart;
   if (spring.stiffness * spring.free_length != 0.0) {
@@ -111,6 +113,7 @@ Vec2 find_direction(const SpringLoad& spring, Vec2 apart, double length, Vec2 ve
   return speed > 0.0 ? (1.0 / speed) * velocity : Vec2{};
 }
 
+// F = k (L − L₀) + d L̇ draws the points together,  V = ½ k (L − L₀)²      (Eq. L2)
 void add_spring(const SpringLoad& spring, Workspace& ws) noexcept {
   const auto& first = ws.point_motions[spring.first_row];
   const auto& second = ws.point_motions[spring.second_row];
@@ -130,6 +133,7 @@ void add_spring(const SpringLoad& spring, Workspace& ws) noexcept {
   ws.point_loads[spring.first_row] -= effect.force;
 }
 
+// M = −k (θ − θ₀) − d θ̇ on the second body, −M on the first,  V = ½ k (θ − θ₀)²      (Eq. L4)
 void add_torsion(const TorsionLoad& spring, Workspace& ws) noexcept {
   const TurnCouple& couple = spring.couple;
   const Coordinates& at = ws.coordinates;
@@ -144,6 +148,7 @@ void add_torsion(const TorsionLoad& spring, Workspace& ws) noexcept {
   add_couple(couple, effect.torque, ws);
 }
 
+// F = −k r − d ṙ with r = R(−θ_1) (r_2 − r_1) as the first body sees it, each component its own      (Eq. L5)
 // The first body feels the force at the second point's place, so that no angular momentum comes from nowhere.
 void add_bushing(const BushingLoad& bushing, Workspace& ws) noexcept {
   add_torsion(bushing.torsion, ws);

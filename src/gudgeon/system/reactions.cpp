@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Loads, contacts, closures and drivers act; the joints of the tree supply the rest.
+// Loads, contacts, closures and drivers act; the joints of the tree supply the rest: leaves first, each body's joint
+// gives what m (a − g) and I θ̈ still lack and takes it from the parent (docs/theory/dynamics.md, Eq. D14).
 #include "gudgeon/system/reactions.h"
 
 #include <tuple>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: gudgeon contributors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Unit loads on what is open, balanced by the rest, and least squares over them with side conditions.
+// Unit loads on what is open, balanced by the rest, and least squares over them with side conditions: shares z of all
+// states s with Σ_joints |F + Σ z_s F_s|² + (M + Σ z_s M_s)²/ℓ² least (docs/theory/dynamics.md, Eq. D14a).
 #include "gudgeon/system/self_stress.h"
 
 #include <algorithm>
