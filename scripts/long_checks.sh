@@ -125,7 +125,7 @@ coverage() {
   CC=clang CXX=clang++ build_apart $folder all -DCMAKE_BUILD_TYPE=Debug '-DCMAKE_CXX_FLAGS_DEBUG=-O1' \
     '-DCMAKE_CXX_FLAGS=-fprofile-instr-generate -fcoverage-mapping' || return 1
   rm -rf $folder/profiles
-  LLVM_PROFILE_FILE="$PWD/$folder/profiles/%4m.profraw" count_passed $folder -E '^(web|outside|architecture)/|/book$' ||
+  LLVM_PROFILE_FILE="$PWD/$folder/profiles/%4m.profraw" count_passed $folder -E '^(web|outside|architecture|package)/|/book$' ||
     return 1
   llvm-profdata merge -sparse $folder/profiles/*.profraw -o $folder/all.profdata || return 1
   for name in $folder/*_tests; do objects+=(-object "$name"); done
