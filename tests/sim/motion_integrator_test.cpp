@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <type_traits>
 
 #include "tests/oracle/mechanism_parts.h"
 #include "tests/oracle/mechanisms.h"
@@ -13,6 +14,12 @@
 
 namespace gudgeon {
 namespace {
+
+// Steppers hold on to the equations of their integrator, and these to a system: neither may be moved or go before them.
+static_assert(!std::is_move_constructible_v<MotionIntegrator>);
+static_assert(std::is_constructible_v<MotionIntegrator, const System&, const Study&, double>);
+static_assert(!std::is_constructible_v<MotionIntegrator, System, const Study&, double>);
+static_assert(!std::is_constructible_v<MotionIntegrator, const System&, Study, double>);
 
 TEST(MotionIntegrator, HitsMilestonesExactly) {
   IntegratedMotion motion(oracle::make_four_bar(), {});

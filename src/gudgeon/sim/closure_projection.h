@@ -16,6 +16,7 @@ class ClosureProjection {
   /// Closures off by no more than `tolerance` [m, m/s], and open by no more than `most_open` [m], are left alone;
   /// beside a singular position less is let pass.
   ClosureProjection(const Tables& tables, double tolerance, double most_open);
+  ClosureProjection(const Tables&&, double, double) = delete;  // it keeps a reference
 
   /// Corrects positions, then rates, of the state y that `equations` were last evaluated for, and evaluates the slope
   /// again after each correction. Returns how many there were: 0, 1 or 2.

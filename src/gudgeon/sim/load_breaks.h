@@ -24,7 +24,9 @@ namespace gudgeon {
 class LoadBreaks {
  public:
   /// Evaluations are counted in the statistics.
+  /// Keeps references to system and statistics.
   LoadBreaks(const System& system, double cycle_time, SolverStatistics& statistics);
+  LoadBreaks(const System&&, double, SolverStatistics&) = delete;
 
   [[nodiscard]] bool empty() const { return watched_.empty() && clocks_.empty(); }
   /// The next time [s] at which a curve over the time comes to one of its points; infinite when none does.

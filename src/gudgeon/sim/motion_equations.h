@@ -58,6 +58,7 @@ class MotionEquations {
         feedback_(feedback),
         acceleration_(n_free_),
         moved_(2 * n_free_) {}
+  MotionEquations(const System&&, Feedback) = delete;  // it keeps a reference
 
   [[nodiscard]] const Tables& tables() const { return *tables_; }
   [[nodiscard]] std::size_t n_free() const { return n_free_; }

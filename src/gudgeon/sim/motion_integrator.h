@@ -33,7 +33,12 @@ namespace gudgeon {
 /// projected when they need it. Allocates nothing after construction, but where closure rows are exchanged.
 class MotionIntegrator {
  public:
+  /// Keeps references to both.
   MotionIntegrator(const System& system, const Study& study, double cycle_time);
+  MotionIntegrator(const System&&, const Study&, double) = delete;
+  MotionIntegrator(const System&, const Study&&, double) = delete;
+  MotionIntegrator(const MotionIntegrator&) = delete;  // its steppers hold on to its equations
+  MotionIntegrator& operator=(const MotionIntegrator&) = delete;
 
   /// Takes a state at time zero; false when it does not determine the accelerations.
   bool begin(const State& start);

@@ -22,7 +22,9 @@ inline constexpr std::size_t kSamplesPerBlock = 16384;
 
 class StageRecorder {
  public:
+  /// Keeps a reference.
   explicit StageRecorder(const System& system);
+  explicit StageRecorder(const System&&) = delete;
 
   [[nodiscard]] const std::vector<Channel>& channels() const { return channels_; }
 

@@ -27,7 +27,10 @@ namespace gudgeon {
 /// the counted cycles, the energy balance that of the whole.
 class StageRun {
  public:
+  /// Keeps references to both.
   StageRun(const System& system, const Study& study, double cycle_time, std::string name);
+  StageRun(const System&&, const Study&, double, std::string) = delete;
+  StageRun(const System&, const Study&&, double, std::string) = delete;
   StageRun(const StageRun&) = delete;  // the peak detector holds on to its recorder
   StageRun& operator=(const StageRun&) = delete;
 

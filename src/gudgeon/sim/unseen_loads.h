@@ -20,7 +20,9 @@ namespace gudgeon {
 /// control: bodies come to rest where they pass zero. Allocates nothing after construction.
 class UnseenLoads {
  public:
+  /// Keeps a reference.
   explicit UnseenLoads(const System& system);
+  explicit UnseenLoads(const System&&) = delete;
 
   [[nodiscard]] bool empty() const { return formulas_.empty(); }
   /// The time [s] within the step at which a load is quite other than around it.

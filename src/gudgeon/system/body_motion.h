@@ -24,7 +24,9 @@ struct BodyMotion {
 /// Finds the motion of all bodies; compiled once, holds its own scratch memory.
 class BodyMotionFinder {
  public:
+  /// Keeps a reference.
   explicit BodyMotionFinder(const System& system);
+  explicit BodyMotionFinder(const System&&) = delete;
 
   /// From the workspace's last eval_dynamics; one entry a body, the frame's first.
   const std::vector<BodyMotion>& update(const Workspace& workspace) noexcept;

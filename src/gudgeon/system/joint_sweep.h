@@ -25,7 +25,9 @@ struct Anchored {
 /// One backward Newton-Euler sweep: the joints of the tree supply what every body still needs. Holds its own memory.
 class JointSweep {
  public:
+  /// Keeps a reference.
   explicit JointSweep(const System& system);
+  explicit JointSweep(const System&&) = delete;
 
   /// Begins with bodies that need nothing and joints that do nothing, where the bodies are.
   void begin(const std::vector<BodyMotion>& motions) noexcept;

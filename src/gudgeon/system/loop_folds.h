@@ -36,6 +36,8 @@ class LoopFolds {
  public:
   /// Coordinates may be known beforehand.
   LoopFolds(const Topology& topology, const Tables& tables, const std::vector<int>& known_coordinates = {});
+  LoopFolds(const Topology&&, const Tables&, const std::vector<int>& = {}) = delete;
+  LoopFolds(const Topology&, const Tables&&, const std::vector<int>& = {}) = delete;
 
   /// In an order in which they can be closed.
   [[nodiscard]] const std::vector<LoopGroup>& groups() const { return groups_; }

@@ -24,6 +24,7 @@ class MotionChart {
  public:
   /// Around a position whose loops are closed. Keeps a reference to the system; drivers stay where they are at t = 0.
   MotionChart(const System& system, const Eigen::VectorXd& q);
+  MotionChart(const System&&, const Eigen::VectorXd&) = delete;
 
   [[nodiscard]] Eigen::Index size() const { return basis_.cols(); }
   /// Z, a row a free coordinate.

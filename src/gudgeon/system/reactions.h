@@ -16,7 +16,9 @@ namespace gudgeon {
 /// of its joint's force.
 class ReactionFinder {
  public:
+  /// Keeps a reference.
   explicit ReactionFinder(const System& system);
+  explicit ReactionFinder(const System&&) = delete;
 
   /// From the workspace's last eval_dynamics and the motions of the same state; one entry a joint.
   const std::vector<JointReaction>& update(const Workspace& workspace, const std::vector<BodyMotion>& motions) noexcept;

@@ -16,7 +16,9 @@ namespace gudgeon {
 /// characteristic length ℓ. Holds its own memory.
 class SelfStress {
  public:
+  /// Keeps a reference.
   explicit SelfStress(const System& system);
+  explicit SelfStress(const System&&) = delete;
 
   /// Whether any joint force is open.
   [[nodiscard]] bool empty() const { return states_.empty(); }
