@@ -64,7 +64,9 @@ int run_second(const TemporaryFolder& folder, const std::string& directory, std:
   RunningProgram first(folder, make_arguments(directory, {"--overwrite"}), folder.path() / "first.out",
                        folder.path() / "first.err");
   const std::filesystem::path lock = folder.path() / directory / ".gudgeon.lock";
-  while (!std::filesystem::exists(lock)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (!std::filesystem::exists(lock) && !first.has_ended()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   std::this_thread::sleep_for(after);
   first.send(SIGSTOP);
   const Outcome second = run_program(folder, make_arguments(directory, {how}));
