@@ -144,6 +144,23 @@ TEST(LoopUnderLoads, AllocatesNothing) {
   }
 }
 
+TEST(LoopWithJointFriction, AllocatesNothing) {
+  Mechanism mechanism = oracle::make_slider_crank();
+  const BrownMcPhee law{.static_coefficient = 0.2, .kinetic_coefficient = 0.1};
+  for (Joint& joint : mechanism.joints) {
+    if (auto* pin = std::get_if<Revolute>(&joint.kind)) pin->friction = JointFriction{law, 0.01};
+    if (auto* guide = std::get_if<Prismatic>(&joint.kind)) guide->friction = JointFriction{law, 0.0, 0.06, 0.04};
+  }
+  Study study;
+  study.integrator = Integrator::explicit_pair;
+  const Assembly assembly = assemble(mechanism);
+  const System system = compile(mechanism, assembly);
+  const Outcome outcome = run_motion(system, assembly, study, 0.5);
+  EXPECT_FALSE(outcome.failed);
+  EXPECT_GE(outcome.n_steps, 20);
+  EXPECT_EQ(outcome.n_allocations, 0U);
+}
+
 TEST(LoopOfSlots, AllocatesNothing) {
   for (const Mechanism& mechanism : {oracle::make_slider_crank_guide(), oracle::make_scotch_yoke_clearance()}) {
     const Assembly assembly = assemble(mechanism);

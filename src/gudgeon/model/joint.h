@@ -20,10 +20,19 @@ struct Anchor {
   std::string point;
 };
 
+/// Friction in an ideal joint, by a law and what the force that the joint carries acts on (docs/theory/friction.md).
+struct JointFriction {
+  AnyFriction law;
+  double pin_radius = 0.0;    ///< r [m] of the pin of a revolute joint, or of a pin in a slot
+  double guide_length = 0.0;  ///< L [m] over which block and guide touch, about the second point; 0: moments do not rub
+  double guide_height = 0.0;  ///< h [m] of the block across its guide
+};
+
 /// The two points coincide; the bodies turn freely.
 struct Revolute {
   Anchor first;
   Anchor second;
+  std::optional<JointFriction> friction = std::nullopt;
 };
 
 /// The second point slides along a line through the first; the bodies keep their relative angle.
@@ -34,6 +43,7 @@ struct Prismatic {
   double relative_angle = 0.0;               ///< θ_second − θ_first [rad]
   std::optional<double> start_displacement;  ///< [m] along the line, a guess
   std::optional<double> start_speed;         ///< [m/s]
+  std::optional<JointFriction> friction = std::nullopt;
 };
 
 /// The second point stays on a line through the first; the bodies turn freely.
@@ -41,6 +51,7 @@ struct PinInSlot {
   Anchor first;
   Anchor second;
   double direction = 0.0;  ///< [rad] of the line, in the first body's axes
+  std::optional<JointFriction> friction = std::nullopt;
 };
 
 /// The two points coincide and the bodies keep their relative angle.
@@ -137,6 +148,19 @@ template <class Kind>
 concept ClearanceJoint = requires(const Kind kind) {
   kind.contact;
 };
+
+/// Friction of an ideal joint; nullptr for one without, and for a clearance joint.
+inline const JointFriction* find_friction(const AnyJoint& joint) {
+  return std::visit(
+      []<class Kind>(const Kind& kind) -> const JointFriction* {
+        if constexpr (requires { kind.friction; }) {
+          return kind.friction ? &*kind.friction : nullptr;
+        } else {
+          return nullptr;
+        }
+      },
+      joint);
+}
 
 /// Contact properties of a clearance joint; nullptr for an ideal joint.
 inline const ContactProperties* find_contact(const AnyJoint& joint) {

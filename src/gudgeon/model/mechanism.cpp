@@ -24,10 +24,21 @@ AnyJoint make_ideal(const Kind& kind) {
 AnyJoint make_ideal(const RevoluteClearance& kind) { return Revolute{kind.bearing, kind.journal}; }
 
 AnyJoint make_ideal(const PrismaticClearance& kind) {
-  return Prismatic{kind.bearing, kind.journal, kind.direction, kind.relative_angle, {}, {}};
+  return Prismatic{kind.bearing, kind.journal, kind.direction, kind.relative_angle, {}, {}, {}};
 }
 
 AnyJoint make_ideal(const PinInSlotClearance& kind) { return PinInSlot{kind.bearing, kind.journal, kind.direction}; }
+
+// What rubs there: the pin, the block between its outer points of contact, the pin in its slot.
+JointFriction make_friction(const RevoluteClearance& kind) {
+  return {kind.contact.friction, kind.bearing_radius - kind.radial_clearance, 0.0, 0.0};
+}
+JointFriction make_friction(const PrismaticClearance& kind) {
+  return {kind.contact.friction, 0.0, kind.journal_length - 2.0 * kind.corner_radius, kind.journal_height};
+}
+JointFriction make_friction(const PinInSlotClearance& kind) {
+  return {kind.contact.friction, kind.journal_radius, 0.0, 0.0};
+}
 
 }  // namespace
 
@@ -46,6 +57,44 @@ Mechanism make_ideal(const Mechanism& mechanism) {
     joint.kind = std::visit([](const auto& kind) { return make_ideal(kind); }, joint.kind);
   }
   return ideal;
+}
+
+Mechanism make_ideal_with_friction(const Mechanism& mechanism) {
+  Mechanism ideal = make_ideal(mechanism);
+  for (std::size_t j = 0; j < ideal.joints.size(); ++j) {
+    std::visit(
+        [&]<class Kind>(const Kind& kind) {
+          if constexpr (ClearanceJoint<Kind>) {
+            if (std::holds_alternative<Frictionless>(kind.contact.friction)) return;
+            std::visit(
+                [&](auto& joint) {
+                  if constexpr (requires { joint.friction; }) joint.friction = make_friction(kind);
+                },
+                ideal.joints[j].kind);
+          }
+        },
+        mechanism.joints[j].kind);
+  }
+  return ideal;
+}
+
+int find_bristled_slot(const Mechanism& mechanism) {
+  const auto found = std::ranges::find_if(mechanism.joints, [](const Joint& joint) {
+    const auto* slot = std::get_if<PinInSlotClearance>(&joint.kind);
+    return slot != nullptr &&
+           std::visit([]<class Law>(const Law&) { return Law::kHasBristle; }, slot->contact.friction);
+  });
+  return found == mechanism.joints.end() ? -1 : static_cast<int>(found - mechanism.joints.begin());
+}
+
+void remove_friction(Mechanism& mechanism) {
+  for (Joint& joint : mechanism.joints) {
+    std::visit(
+        [](auto& kind) {
+          if constexpr (requires { kind.friction; }) kind.friction.reset();
+        },
+        joint.kind);
+  }
 }
 
 }  // namespace gudgeon

@@ -34,4 +34,13 @@ const Point* find_point(const Body& body, std::string_view name);
 /// The same mechanism with every clearance joint replaced by its ideal counterpart.
 Mechanism make_ideal(const Mechanism& mechanism);
 
+/// The same, with the friction laws of the contacts that are replaced, at the sizes of their journals; bristles only
+/// where find_bristled_slot() finds none.
+Mechanism make_ideal_with_friction(const Mechanism& mechanism);
+/// The first pin in a slot with clearance whose friction law has bristles, which an ideal one cannot have; or -1.
+int find_bristled_slot(const Mechanism& mechanism);
+
+/// Takes the friction of all ideal joints away.
+void remove_friction(Mechanism& mechanism);
+
 }  // namespace gudgeon

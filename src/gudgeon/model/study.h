@@ -48,6 +48,7 @@ struct Study {
   int cells = 1000;                ///< cells of each circumference
   WearDistribution wear_distribution = WearDistribution::spread;
   bool compare_ideal = true;         ///< also run the mechanism with ideal joints
+  bool ideal_friction = false;       ///< which then have the friction of the contacts that they replace
   int outputs_per_cycle = 500;       ///< recorded samples a cycle
   double relative_tolerance = 1e-6;  ///< [1] local error a step, of each coordinate and rate
   double absolute_tolerance = 1e-9;  ///< [rad, m, rad/s, m/s] local error a step near zero

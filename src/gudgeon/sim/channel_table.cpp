@@ -26,6 +26,7 @@ class ChannelTable {
     for (std::size_t b = 1; b < system_.mechanism.bodies.size(); ++b) add_body(b);
     for (std::size_t g = 0; g < system_.tables.contact_groups.size(); ++g) add_clearance(g);
     for (std::size_t j = 0; j < system_.mechanism.joints.size(); ++j) add_joint(j);
+    for (std::size_t k = 0; k < system_.tables.friction_joints.size(); ++k) add_friction(k);
     for (std::size_t d = 0; d < system_.mechanism.drivers.size(); ++d) add_driver(d);
     for (std::size_t k = 0; k < system_.mechanism.loads.size(); ++k) add_load(k);
     add_energies();
@@ -168,6 +169,23 @@ class ChannelTable {
       add_of(".moment", "M", "N m", "Moment on the joint's second body, about its anchor",
              [](Reaction r) { return r.moment; });
     }
+  }
+
+  void add_friction(std::size_t k) {
+    const FrictionJoint& at_joint = system_.tables.friction_joints[k];
+    const std::string& name = system_.mechanism.joints[at_joint.joint].name;
+    if (at_joint.kind == FrictionKind::pin) {
+      add(name + ".friction_torque", "T_f", "N m", "Friction torque on the joint's second body",
+          [=](const Snapshot& at) { return at.workspace->friction_forces[k].pair.torque; });
+    } else {
+      add(name + ".friction_force", "F_f", "N", "Friction force on the joint's second body, along its line",
+          [=](const Snapshot& at) { return at.workspace->friction_forces[k].force; });
+    }
+    add(name + ".slip_speed", "v", "m/s", "Slip speed of the second body's surface on the first one's",
+        [=](const Snapshot& at) { return at.workspace->friction_forces[k].slip_speed; });
+    if (at_joint.bristle < 0) return;
+    add(name + ".bristle", "z", "m", "Deflection of the bristle",
+        [bristle = at_joint.bristle](const Snapshot& at) { return at.workspace->bristles[bristle]; });
   }
 
   // In the model's order; the tables have turns first, then slides, then angles between bodies.

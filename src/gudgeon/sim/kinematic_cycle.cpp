@@ -135,6 +135,8 @@ class CycleRun {
         return "the drivers ask for more than the joints permit, a loop is stretched or folded to its limit";
       case MotionFailure::Kind::lost_load:
         return "it has no finite value there (a formula outside its range, a spring whose points meet)";
+      case MotionFailure::Kind::jammed:
+        return "the joint jams: no force of the drivers overcomes its friction";
       case MotionFailure::Kind::singular:
         break;
     }

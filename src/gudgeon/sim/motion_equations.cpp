@@ -17,6 +17,8 @@ namespace {
 constexpr double kDifferenceShare = 1e-6;
 // A hair off the break dies down within this share of a cycle.
 constexpr double kReturnShare = 0.02;
+// Friction of ideal joints bends what is else linear in the shares, by no more than it is of the loads.
+constexpr int kFrictionPasses = 4;
 
 }  // namespace
 
@@ -43,12 +45,22 @@ void MotionEquations::eval_sliding(double t, const double* y, std::span<const Co
     effect.col(k) = away - effect.col(k);
     held.set_share(k, 0.0);
   }
-  update_arguments(t, y, y + n_free_, target);
-  for (int k = 0; k < n; ++k) {
-    away[k] += target.loads.breaks[static_cast<std::size_t>(surfaces[k])].argument / (kReturnShare * time_scale);
-  }
-  const Vector shares = n == 1 ? Vector(away / effect(0, 0)) : Vector(effect.partialPivLu().solve(away));
+  const auto add_return = [&] {
+    update_arguments(t, y, y + n_free_, target);
+    for (int k = 0; k < n; ++k) {
+      away[k] += target.loads.breaks[static_cast<std::size_t>(surfaces[k])].argument / (kReturnShare * time_scale);
+    }
+  };
+  const auto solve = [&] { return n == 1 ? Vector(away / effect(0, 0)) : Vector(effect.partialPivLu().solve(away)); };
+  add_return();
+  Vector shares = solve();
   for (int k = 0; k < n; ++k) held.set_share(k, shares[k]);
+  for (int pass = 0; pass < kFrictionPasses && !tables_->friction_joints.empty(); ++pass) {
+    eval_rates(away.data());
+    add_return();
+    shares += solve();
+    for (int k = 0; k < n; ++k) held.set_share(k, shares[k]);
+  }
   eval_dynamics(*tables_, t, y, y + n_free_, modes, feedback_, target);
 }
 

@@ -80,6 +80,11 @@ class MotionEquations {
     for (std::size_t k = 0; n_bristles_ > 0 && k < workspace.contact_forces.size(); ++k) {
       if (tables_->contacts[k].bristle >= 0) slope[bristle_at(k)] = workspace.contact_forces[k].bristle_rate;
     }
+    for (std::size_t k = 0; n_bristles_ > 0 && k < workspace.friction_forces.size(); ++k) {
+      const int bristle = tables_->friction_joints[k].bristle;
+      if (bristle >= 0)
+        slope[2 * n_free_ + static_cast<std::size_t>(bristle)] = workspace.friction_forces[k].bristle_rate;
+    }
     eval_powers(slope + n_states());
   }
 
@@ -116,6 +121,7 @@ class MotionEquations {
       power[kFrictionLoss] += forces.friction_power;
       power[kSurfaceWork] += forces.surface_power;
     }
+    for (const FrictionForces& forces : workspace.friction_forces) power[kFrictionLoss] += forces.power;
     const double potential = workspace.loads.constant_power - workspace.loads.storing_power;
     power[kExchanged] = std::abs(power[kDriverWork]) + std::abs(potential) + std::abs(power[kLoadWork]) +
                         power[kDamperLoss] + std::abs(power[kContactDamping]) + std::abs(power[kFrictionLoss]);

@@ -36,6 +36,9 @@ std::vector<double> list_bristle_scales(const Tables& tables) {
   for (const Contact& contact : tables.contacts) {
     if (contact.bristle >= 0) scales.push_back(contact.bristle_scale);
   }
+  for (const FrictionJoint& joint : tables.friction_joints) {
+    if (joint.bristle >= 0) scales.push_back(joint.bristle_scale);
+  }
   return scales;
 }
 
@@ -71,7 +74,9 @@ MotionIntegrator::MotionIntegrator(const System& given, const Study& study, doub
   if (!is_stiff) {
     explicit_ = std::make_unique<ExplicitStepper>(equations_, statistics_, tolerance_, kFirstStepShare * cycle_time);
   }
-  if (is_stiff || (study.integrator == Integrator::automatic && system_.tables.n_bristles > 0)) {
+  const bool may_be_stiff =
+      system_.tables.n_bristles > 0 || (!system_.tables.friction_joints.empty() && system_.tables.contacts.empty());
+  if (is_stiff || (study.integrator == Integrator::automatic && may_be_stiff && has_states)) {
     const bool projects = study.stabilization == Stabilization::projection && !system_.tables.closures.empty();
     stiff_ = std::make_unique<StiffStepper>(equations_, statistics_, tolerance_, projects ? &projection_ : nullptr,
                                             longest_step_);

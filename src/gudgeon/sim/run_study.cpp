@@ -73,7 +73,7 @@ class StudyRunner {
     // A mechanism without clearance is its own ideal.
     if (runs_ideal_) {
       if (is_stopped_before("ideal") ||
-          !run_stage(compile(make_ideal(mechanism_), ideal_assembly_), ideal_assembly_, "ideal")) {
+          !run_stage(compile(make_ideal_counterpart(), ideal_assembly_), ideal_assembly_, "ideal")) {
         return std::move(stages_);
       }
     }
@@ -98,6 +98,10 @@ class StudyRunner {
     const auto ideal = assemble_ideal(mechanism_);
     if (ideal) ideal_assembly_ = *ideal;
     return ideal.has_value();
+  }
+
+  [[nodiscard]] Mechanism make_ideal_counterpart() const {
+    return study_.ideal_friction ? make_ideal_with_friction(mechanism_) : make_ideal(mechanism_);
   }
 
   // Every stage starts from the assembled position.
@@ -164,6 +168,7 @@ std::vector<StageRecord> run_study(const Mechanism& mechanism, const Study& stud
                                    std::vector<StageRecord> finished, std::optional<Checkpoint> checkpoint) {
   Assembly assembly = assemble(mechanism);
   require_start(mechanism, assembly);
+  require_ideal_start(mechanism, study);
   return StudyRunner(mechanism, std::move(assembly), study, hooks, std::move(finished), std::move(checkpoint)).run();
 }
 

@@ -120,6 +120,7 @@ void StageRun::stop_on_request() {
 void StageRun::begin(const State& start) {
   if (!motion_.begin(start)) {
     if (motion_.stall()) return fail_step();
+    if (fail_jammed()) return;
     const bool lost = find_load_in_the_way(0.0, motion_.find_smallest_step(), motion_.y(), motion_.equations()) >= 0;
     fail("E-NUM-001", lost ? "the accelerations at the start are not determined"
                            : "the start position is singular: accelerations are not determined");

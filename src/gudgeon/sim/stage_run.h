@@ -67,6 +67,7 @@ class StageRun {
   void stop(const std::string& code, const std::string& reason);
   void fail(const std::string& code, const std::string& reason);
   bool fail_at_law_end();
+  bool fail_jammed();
   [[nodiscard]] double find_wall_time() const;
   void finish();
 

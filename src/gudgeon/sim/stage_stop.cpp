@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gudgeon/sim/jammed_joint.h"
 #include "gudgeon/sim/stage_run.h"
 #include "gudgeon/system/body_motion.h"
 
@@ -15,7 +16,8 @@ namespace gudgeon {
 // Why a step could not be taken.
 void StageRun::fail_step() {
   if (!motion_.stall()) {
-    if (!fail_at_law_end()) fail("E-NUM-003", fmt::format("step below {:.2g} s", motion_.find_smallest_step()));
+    if (!fail_at_law_end() && !fail_jammed())
+      fail("E-NUM-003", fmt::format("step below {:.2g} s", motion_.find_smallest_step()));
     return;
   }
   constexpr std::size_t kFew = 4;
@@ -33,6 +35,16 @@ void StageRun::fail_step() {
            "friction that is meant{}",
            listed, places.size() == 1 ? "jumps" : "jump",
            places.size() == 1 ? "" : "; jumps at different places need a formula each"));
+}
+
+// Friction that grows without bound, or begins to, is told as such.
+bool StageRun::fail_jammed() {
+  const int joint = find_jammed_joint(motion_.time(), motion_.find_smallest_step(), motion_.y(), motion_.equations());
+  if (joint < 0) return false;
+  stop("E-NUM-013", fmt::format("joint '{}' jams: no acceleration, or more than one, agrees with its friction; a "
+                                "smaller coefficient, a longer guide or a force nearer to its line keep it free",
+                                system_.mechanism.joints[joint].name));
+  return true;
 }
 
 // What a mechanism does that goes on in ever shorter steps.

@@ -4,47 +4,62 @@
 // One chain through all centres of mass.
 #include "gudgeon/system/body_motion.h"
 
+#include <algorithm>
+
 #include "gudgeon/system/load_forces.h"
 
 namespace gudgeon {
 
-BodyMotionFinder::BodyMotionFinder(const System& system) : system_(&system) {
-  const Mechanism& mechanism = system.mechanism;
+BodyMotionFinder::BodyMotionFinder(const Mechanism& mechanism, const Topology& topology) : topology_(&topology) {
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const Path path = system.topology.find_path(static_cast<int>(b), mechanism.bodies[b].center_of_mass);
-    rows_.push_back(chain_.add(path, system.topology.counts));
+    const Path path = topology.find_path(static_cast<int>(b), mechanism.bodies[b].center_of_mass);
+    rows_.push_back(chain_.add(path, topology.counts));
   }
   points_.resize(chain_.rows().size());
   accelerations_.resize(chain_.rows().size());
-  angle_accelerations_.assign(system.topology.counts.n_turns(), 0.0);
-  slide_accelerations_.assign(system.topology.counts.n_slides(), 0.0);
+  angle_accelerations_.assign(topology.counts.n_turns(), 0.0);
+  slide_accelerations_.assign(topology.counts.n_slides(), 0.0);
   motions_.resize(mechanism.bodies.size());
 }
 
-const std::vector<BodyMotion>& BodyMotionFinder::update(const Workspace& workspace) noexcept {
-  const CoordinateCounts& counts = system_->topology.counts;
-  for (int k = 0; k < counts.n_free_turns; ++k) angle_accelerations_[k] = workspace.equations[k];
-  for (int k = 0; k < counts.n_free_slides; ++k) {
-    slide_accelerations_[k] = workspace.equations[counts.n_free_turns + k];
+void BodyMotionFinder::take_free_accelerations(const double* accelerations) noexcept {
+  const CoordinateCounts& counts = topology_->counts;
+  for (int k = 0; k < counts.n_free_turns; ++k) angle_accelerations_[k] = accelerations[k];
+  for (int k = 0; k < counts.n_free_slides; ++k) slide_accelerations_[k] = accelerations[counts.n_free_turns + k];
+}
+
+void BodyMotionFinder::find_motions(const Coordinates& coordinates) noexcept {
+  chain_.find_motions(coordinates, points_.data());
+  chain_.find_accelerations(coordinates, points_.data(), angle_accelerations_.data(), slide_accelerations_.data(),
+                            accelerations_.data());
+  for (std::size_t b = 0; b < motions_.size(); ++b) {
+    const BodyNode& node = topology_->bodies[b];
+    motions_[b] = {points_[rows_[b]].position,        points_[rows_[b]].velocity,
+                   accelerations_[rows_[b]],          coordinates.angle[node.turn] + node.offset,
+                   coordinates.angle_rate[node.turn], angle_accelerations_[node.turn]};
   }
+}
+
+const std::vector<BodyMotion>& BodyMotionFinder::update(const Workspace& workspace) noexcept {
+  const CoordinateCounts& counts = topology_->counts;
+  take_free_accelerations(workspace.equations.data());
   const std::vector<DrivenValue>& driven = workspace.coordinates.driven;
   for (int k = 0; k < counts.n_driven_turns; ++k)
     angle_accelerations_[counts.n_free_turns + k] = driven[k].acceleration;
   for (int k = 0; k < counts.n_driven_slides; ++k) {
     slide_accelerations_[counts.n_free_slides + k] = driven[counts.n_driven_turns + k].acceleration;
   }
-  chain_.find_motions(workspace.coordinates, points_.data());
-  chain_.find_accelerations(workspace.coordinates, points_.data(), angle_accelerations_.data(),
-                            slide_accelerations_.data(), accelerations_.data());
-  for (std::size_t b = 0; b < motions_.size(); ++b) {
-    const BodyNode& node = system_->topology.bodies[b];
-    motions_[b] = {points_[rows_[b]].position,
-                   points_[rows_[b]].velocity,
-                   accelerations_[rows_[b]],
-                   workspace.coordinates.angle[node.turn] + node.offset,
-                   workspace.coordinates.angle_rate[node.turn],
-                   angle_accelerations_[node.turn]};
-  }
+  find_motions(workspace.coordinates);
+  return motions_;
+}
+
+const std::vector<BodyMotion>& BodyMotionFinder::update_response(const Coordinates& at_rest,
+                                                                 const double* accelerations) noexcept {
+  take_free_accelerations(accelerations);
+  const CoordinateCounts& counts = topology_->counts;
+  std::fill_n(angle_accelerations_.begin() + counts.n_free_turns, counts.n_driven_turns, 0.0);
+  std::fill_n(slide_accelerations_.begin() + counts.n_free_slides, counts.n_driven_slides, 0.0);
+  find_motions(at_rest);
   return motions_;
 }
 

@@ -25,15 +25,22 @@ struct BodyMotion {
 class BodyMotionFinder {
  public:
   /// Keeps a reference.
-  explicit BodyMotionFinder(const System& system);
+  explicit BodyMotionFinder(const System& system) : BodyMotionFinder(system.mechanism, system.topology) {}
   explicit BodyMotionFinder(const System&&) = delete;
+  BodyMotionFinder(const Mechanism& mechanism, const Topology& topology);
 
   /// From the workspace's last eval_dynamics; one entry a body, the frame's first.
   const std::vector<BodyMotion>& update(const Workspace& workspace) noexcept;
+  /// How accelerations answer to those of the free coordinates [n_free] alone, drivers keeping theirs; at coordinates
+  /// whose rates are zero.
+  const std::vector<BodyMotion>& update_response(const Coordinates& at_rest, const double* accelerations) noexcept;
   [[nodiscard]] const std::vector<BodyMotion>& motions() const { return motions_; }
 
  private:
-  const System* system_;
+  void take_free_accelerations(const double* accelerations) noexcept;
+  void find_motions(const Coordinates& coordinates) noexcept;
+
+  const Topology* topology_;
   PointChain chain_;
   std::vector<int> rows_;  // of each body's centre of mass
   std::vector<PointChain::PointMotion> points_;

@@ -8,6 +8,7 @@
 
 #include "gudgeon/system/compile_closures.h"
 #include "gudgeon/system/compile_contacts.h"
+#include "gudgeon/system/compile_friction.h"
 #include "gudgeon/system/compile_loads.h"
 #include "gudgeon/system/kinetic_terms.h"
 #include "gudgeon/system/tables.h"
@@ -57,6 +58,7 @@ class TableCompiler {
     fill_closure_slots();
     compile_contacts(mechanism_, topology_, tables_);
     compile_loads(mechanism_, topology_, tables_);
+    compile_friction(mechanism_, topology_, tables_);
     index_points();
     settle_idle_turns();
     return std::move(tables_);
@@ -239,6 +241,9 @@ class TableCompiler {
            std::ranges::none_of(
                tables_.contacts,
                [&](const Contact& contact) { return contact.bearing_turn == turn || contact.journal_turn == turn; }) &&
+           std::ranges::none_of(
+               tables_.friction_joints,
+               [&](const FrictionJoint& joint) { return joint.first_turn == turn || joint.second_turn == turn; }) &&
            std::ranges::none_of(loads.torques, [&](const TorqueLoad& load) { return turns_with(load.couple); }) &&
            std::ranges::none_of(loads.torsions, [&](const TorsionLoad& load) { return turns_with(load.couple); }) &&
            std::ranges::none_of(loads.bushings,

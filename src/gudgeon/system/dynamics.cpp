@@ -10,6 +10,7 @@
 
 #include "gudgeon/base/rotations.h"
 #include "gudgeon/system/equations.h"
+#include "gudgeon/system/friction_solver.h"
 
 namespace gudgeon {
 
@@ -71,21 +72,22 @@ void refine(const Tables& tables, double t, std::span<const ContactMode> contact
   std::copy_n(ws.factors.begin(), tables.elimination.n_values(), ws.values.begin());
 }
 
+}  // namespace
+
 // A driver delivers what its own equation lacks once everything else is known; one between two moving bodies is a
 // closure, and its torque is the multiplier λ.
 // T_d = Σ_u H_du q̈_u + Σ_e H_de ẍ_e − J_dᵀ λ − Q_d      (Eq. D13)
-void find_efforts(const Tables& tables, Workspace& ws) noexcept {
+void find_efforts(const Tables& tables, std::span<const double> values, std::span<const double> equations,
+                  std::span<double> effort) noexcept {
   const int n_driven = tables.counts.n_driven();
-  for (int d = 0; d < n_driven; ++d) ws.effort[d] = -ws.equations[tables.n_solve + d];
+  for (int d = 0; d < n_driven; ++d) effort[d] = -equations[tables.n_solve + d];
   for (const ClosureRows& rows : tables.closures) {
-    if (rows.kind == ClosureKind::angle) ws.effort[rows.driver] = rows.active[0] ? -ws.equations[rows.row[0]] : 0.0;
+    if (rows.kind == ClosureKind::angle) effort[rows.driver] = rows.active[0] ? -equations[rows.row[0]] : 0.0;
   }
   for (const Coupling& coupling : tables.couplings) {
-    ws.effort[coupling.driven - tables.n_solve] += ws.values[coupling.slot] * ws.equations[coupling.other];
+    effort[coupling.driven - tables.n_solve] += values[coupling.slot] * equations[coupling.other];
   }
 }
-
-}  // namespace
 
 void eval_dynamics(const Tables& tables, double t, const double* q, const double* v,
                    std::span<const ContactMode> contact_modes, Feedback feedback, Workspace& workspace) noexcept {
@@ -96,7 +98,8 @@ void eval_dynamics(const Tables& tables, double t, const double* q, const double
   if (find_singular_closeness(tables, workspace) > kRefinedCloseness) {
     refine(tables, t, contact_modes, feedback, workspace);
   }
-  find_efforts(tables, workspace);
+  find_efforts(tables, workspace.values, workspace.equations, workspace.effort);
+  if (workspace.friction_solver) workspace.friction_solver->solve(tables, workspace);
 }
 
 void find_correction(const Tables& tables, std::span<const Vec2> residual, Workspace& workspace,

@@ -38,6 +38,11 @@ inline RelativeMotion find_contact_motion(const Contact& contact, const Workspac
 void eval_dynamics(const Tables& tables, double t, const double* q, const double* v,
                    std::span<const ContactMode> contact_modes, Feedback feedback, Workspace& workspace) noexcept;
 
+/// What each driver delivers [N m, N], given the solved equations with the forces on driven coordinates behind them and
+/// the matrix entries by slot, of which the couplings are read (Eq. D13).
+void find_efforts(const Tables& tables, std::span<const double> values, std::span<const double> equations,
+                  std::span<double> effort) noexcept;
+
 /// Closure gaps φ and rates φ̇ of a state, in workspace.closure_gap and closure_rate; needs update_coordinates.
 void update_closures(const Tables& tables, Workspace& workspace) noexcept;
 

@@ -12,6 +12,7 @@ namespace gudgeon {
 
 Mechanism hold_at_rest(const Mechanism& mechanism) {
   Mechanism held = make_ideal(mechanism);
+  remove_friction(held);
   const std::vector<BodyPose> poses = assemble(held).poses;
   std::vector<BodyMotion> motions;
   for (std::size_t b = 0; b < poses.size(); ++b) {

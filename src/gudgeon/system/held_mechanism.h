@@ -8,7 +8,8 @@
 
 namespace gudgeon {
 
-/// Ideal joints, no start rates, every driver held where it is at t = 0. Throws ModelError as assemble() does.
+/// Ideal joints without friction, no start rates, every driver held where it is at t = 0. Throws ModelError as
+/// assemble() does.
 Mechanism hold_at_rest(const Mechanism& mechanism);
 
 }  // namespace gudgeon

@@ -8,25 +8,24 @@
 
 namespace gudgeon {
 
-JointSweep::JointSweep(const System& system) : system_(&system) {
-  const std::vector<Body>& bodies = system.mechanism.bodies;
+JointSweep::JointSweep(const Mechanism& mechanism, const Topology& topology) : topology_(&topology) {
+  const std::vector<Body>& bodies = mechanism.bodies;
   const auto anchored = [&](const JointEnd& end) {
     return Anchored{end.body, end.point - bodies[end.body].center_of_mass};
   };
-  for (const auto& [first, second] : system.topology.ends) ends_.push_back({anchored(first), anchored(second)});
+  for (const auto& [first, second] : topology.ends) ends_.push_back({anchored(first), anchored(second)});
   for (std::size_t b = 0; b < bodies.size(); ++b) outward_.push_back(static_cast<int>(b));
-  std::ranges::stable_sort(outward_, {}, [&](int body) { return system.topology.bodies[body].depth; });
-  find_tie_steps();
+  std::ranges::stable_sort(outward_, {}, [&](int body) { return topology.bodies[body].depth; });
+  find_tie_steps(mechanism);
   force_needed_.resize(bodies.size());
   moment_needed_.resize(bodies.size());
   reactions_.resize(ends_.size());
-  root_moments_.resize(system.topology.counts.n_turns());
+  root_moments_.resize(topology.counts.n_turns());
 }
 
 // Walks every group of tied bodies outward from its root: the frame, the driven body, or the first of the group.
-void JointSweep::find_tie_steps() {
-  const Mechanism& mechanism = system_->mechanism;
-  const Topology& topology = system_->topology;
+void JointSweep::find_tie_steps(const Mechanism& mechanism) {
+  const Topology& topology = *topology_;
   std::vector<std::vector<int>> ties_at(mechanism.bodies.size());
   for (const AngleTie& tie : topology.angle_ties) {
     for (const int body : {ends_[tie.joint].first.body, ends_[tie.joint].second.body}) {
@@ -106,7 +105,7 @@ void JointSweep::finish() noexcept {
 void JointSweep::sweep_tree() noexcept {
   for (std::size_t k = outward_.size(); k-- > 0;) {
     const int body = outward_[k];
-    const int joint = system_->topology.bodies[body].joint;
+    const int joint = topology_->bodies[body].joint;
     if (joint < 0) continue;
     const Vec2 needed = force_needed_[body];
     apply_joint_force(joint, ends_[joint].second.body == body ? needed : -needed);
@@ -122,7 +121,7 @@ void JointSweep::sweep_ties() noexcept {
   }
   std::ranges::fill(root_moments_, 0.0);
   for (std::size_t b = 0; b < moment_needed_.size(); ++b) {
-    root_moments_[system_->topology.bodies[b].turn] += moment_needed_[b];
+    root_moments_[topology_->bodies[b].turn] += moment_needed_[b];
   }
 }
 

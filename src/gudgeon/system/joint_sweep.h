@@ -13,7 +13,7 @@ namespace gudgeon {
 /// What a joint does to its second body (the journal's, for a clearance joint), in the frame's axes.
 struct JointReaction {
   Vec2 force;           ///< [N] at the second anchor
-  double moment = 0.0;  ///< [N m] about it, of any joint but a revolute or a pin in a slot
+  double moment = 0.0;  ///< [N m] about it; a revolute joint or a pin in a slot has none but friction's
 };
 
 /// A point of a body, from its centre of mass and in its axes.
@@ -26,8 +26,9 @@ struct Anchored {
 class JointSweep {
  public:
   /// Keeps a reference.
-  explicit JointSweep(const System& system);
+  explicit JointSweep(const System& system) : JointSweep(system.mechanism, system.topology) {}
   explicit JointSweep(const System&&) = delete;
+  JointSweep(const Mechanism& mechanism, const Topology& topology);
 
   /// Begins with bodies that need nothing and joints that do nothing, where the bodies are.
   void begin(const std::vector<BodyMotion>& motions) noexcept;
@@ -69,11 +70,11 @@ class JointSweep {
     bool outer_is_second;
   };
 
-  void find_tie_steps();
+  void find_tie_steps(const Mechanism& mechanism);
   void sweep_tree() noexcept;
   void sweep_ties() noexcept;
 
-  const System* system_;
+  const Topology* topology_;
   const std::vector<BodyMotion>* motions_ = nullptr;
   std::vector<Ends> ends_;             // one a joint
   std::vector<int> outward_;           // bodies, children after parents

@@ -276,6 +276,9 @@ void KinematicSolver::fail(MotionFailure::Kind kind) {
   if (const int load = find_lost_load(workspace_); load >= 0) {
     failure_->kind = MotionFailure::Kind::lost_load;
     failure_->where = fmt::format("load '{}'", system_.mechanism.loads[load].name);
+  } else if (!(workspace_.friction_margin > 0.0)) {
+    failure_->kind = MotionFailure::Kind::jammed;
+    failure_->where = fmt::format("joint '{}'", system_.mechanism.joints[workspace_.friction_joint].name);
   } else if (const int weakest = find_weakest_closure(system_.tables, workspace_); weakest >= 0) {
     failure_->where = name_closure(system_.mechanism, system_.topology, system_.topology.closures[weakest]);
   }

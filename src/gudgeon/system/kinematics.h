@@ -21,6 +21,7 @@ struct MotionFailure {
     singular,      ///< two branches meet: the drivers do not say how it goes on
     out_of_reach,  ///< the drivers ask for more than the joints permit
     lost_load,     ///< a load has no finite value
+    jammed,        ///< friction of an ideal joint has no solution, or no single one
   };
   Kind kind = Kind::singular;
   double time = 0.0;  ///< [s]

@@ -4,9 +4,9 @@
 // Forces in the ideal joints, by one backward Newton-Euler sweep over a solved state.
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "gudgeon/system/reaction_sweep.h"
 #include "gudgeon/system/self_stress.h"
 
 namespace gudgeon {
@@ -30,23 +30,9 @@ class ReactionFinder {
   [[nodiscard]] const std::vector<double>& root_moments() const { return sweep_.root_moments(); }
 
  private:
-  struct LoadEnds {
-    int first = -1;   // body that feels the opposite, or none
-    Anchored second;  // where the force acts
-  };
-
-  void apply_loads(const Workspace& workspace) noexcept;
-  void apply_contacts(const Workspace& workspace) noexcept;
-  void apply_closures(const Workspace& workspace) noexcept;
-  void apply_driver_torques(const Workspace& workspace) noexcept;
-  void remove_driver_forces(const Workspace& workspace, const std::vector<BodyMotion>& motions) noexcept;
-
   const System* system_;
-  JointSweep sweep_;
+  ReactionSweep sweep_;
   SelfStress self_stress_;
-  std::vector<std::array<int, 2>> driven_angles_;  // one a driver of the tables: its body and the other; -1 for a slide
-  std::vector<Anchored> contact_points_;           // one a contact: the centre of its circle
-  std::vector<LoadEnds> load_ends_;                // one a load
 };
 
 }  // namespace gudgeon

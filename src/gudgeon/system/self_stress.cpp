@@ -178,6 +178,34 @@ void SelfStress::find_matrix(const Workspace& workspace, const std::vector<BodyM
   }
 }
 
+std::vector<JointReaction> SelfStress::find_openness(const Workspace& workspace,
+                                                     const std::vector<BodyMotion>& motions) {
+  std::vector<JointReaction> openness(system_->mechanism.joints.size());
+  if (states_.empty()) return openness;
+  find_matrix(workspace, motions);
+  const auto n = static_cast<Index>(states_.size());
+  Eigen::MatrixXd shares = Eigen::MatrixXd::Identity(n, n);
+  if (conditions_.size() > 0) {
+    Eigen::FullPivLU<Eigen::MatrixXd> conditions(matrix_.bottomLeftCorner(conditions_.size(), n));
+    conditions.setThreshold(kNoPivot);
+    if (conditions.dimensionOfKernel() == 0) return openness;
+    shares = conditions.kernel();
+  }
+  for (Index way = 0; way < shares.cols(); ++way) {
+    for (std::size_t j = 0; j < openness.size(); ++j) {
+      JointReaction sum;
+      for (Index s = 0; s < n; ++s) {
+        sum.force += shares(s, way) * stress_[static_cast<std::size_t>(s)][j].force;
+        sum.moment += shares(s, way) * stress_[static_cast<std::size_t>(s)][j].moment / length_;
+      }
+      openness[j].force.x = std::max(openness[j].force.x, std::abs(sum.force.x));
+      openness[j].force.y = std::max(openness[j].force.y, std::abs(sum.force.y));
+      openness[j].moment = std::max(openness[j].moment, std::abs(sum.moment));
+    }
+  }
+  return openness;
+}
+
 void SelfStress::relax(const Workspace& workspace, const std::vector<BodyMotion>& motions,
                        std::vector<JointReaction>& reactions) noexcept {
   if (states_.empty()) return;

@@ -26,6 +26,9 @@ class SelfStress {
   /// same state.
   void relax(const Workspace& workspace, const std::vector<BodyMotion>& motions,
              std::vector<JointReaction>& reactions) noexcept;
+  /// What self-stress leaves open of each joint's reaction in the worst case, for joint forces of order one: the
+  /// largest force along x and y [N] and moment [N m/ℓ] of states that keep the side conditions.
+  std::vector<JointReaction> find_openness(const Workspace& workspace, const std::vector<BodyMotion>& motions);
 
  private:
   // What is put under unit load: a row of a closure, a force in a joint within a rigid body, or a tie's moment.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gudgeon/base/diagnostics.h"
@@ -13,6 +14,7 @@
 #include "gudgeon/system/loose_start.h"
 #include "gudgeon/system/mobility.h"
 #include "gudgeon/system/motion_chart.h"
+#include "gudgeon/system/self_stress.h"
 #include "gudgeon/system/system.h"
 
 namespace gudgeon {
@@ -37,18 +39,67 @@ int find_massless(const System& system, const Workspace& workspace) {
   return -1;
 }
 
+// [N] forces of self-stress are of order one.
+constexpr double kOpen = 1e-9;
+
+bool is_open(const JointReaction& openness) {
+  return std::max({openness.force.x, openness.force.y, openness.moment}) > kOpen;
+}
+
+// Whether friction of a joint depends on what of its reaction is open; a guide and a slot have no open force along
+// them.
+bool follows_open_reaction(const FrictionJoint& joint, const JointReaction& openness) {
+  const bool tilts = joint.kind == FrictionKind::guide && joint.friction.guide_length > 0.0;
+  return std::max(openness.force.x, openness.force.y) > kOpen || (tilts && openness.moment > kOpen);
+}
+
+// Where constraints imply each other the joints' elasticity decides what each of them carries, and rubs with.
+void require_unique_reactions(const System& system, const Workspace& workspace) {
+  if (system.tables.friction_joints.empty()) return;
+  SelfStress self_stress(system);
+  if (self_stress.empty()) return;
+  BodyMotionFinder finder(system);
+  const std::vector<JointReaction> openness = self_stress.find_openness(workspace, finder.update(workspace));
+  std::string open;
+  for (std::size_t j = 0; j < openness.size(); ++j) {
+    if (!is_open(openness[j])) continue;
+    open += fmt::format("{}'{}'", open.empty() ? "" : ", ", system.mechanism.joints[j].name);
+  }
+  Diagnostics diagnostics;
+  for (const FrictionJoint& joint : system.tables.friction_joints) {
+    if (!follows_open_reaction(joint, openness[joint.joint])) continue;
+    const std::string& name = system.mechanism.joints[joint.joint].name;
+    diagnostics.error("E-MODEL-092", "joints." + name + ".friction",
+                      fmt::format("joint '{}' has friction, and the force that it carries is not determined: the "
+                                  "constraints of joints {} imply each other",
+                                  name, open),
+                      {"leave one of them out, or let it give way: a pin_in_slot, a joint with clearance, a bushing"});
+  }
+  if (diagnostics.has_errors()) throw ModelError(diagnostics);
+}
+
 void require_accelerations(const Mechanism& mechanism, const Assembly& assembly) {
   const System system = compile(mechanism, assembly);
   Workspace workspace(system.tables);
   const State state = make_state(system, assembly);
   const std::vector<ContactMode> open(system.tables.contacts.size());
   eval_dynamics(system.tables, 0.0, state.q.data(), state.v.data(), open, {}, workspace);
+  require_unique_reactions(system, workspace);
   bool determined = true;
   for (int k = 0; k < system.tables.counts.n_free(); ++k) {
     determined = determined && std::isfinite(workspace.equations[k]);
   }
   if (determined) return;
   Diagnostics diagnostics;
+  if (!(workspace.friction_margin > 0.0)) {
+    const std::string& joint = mechanism.joints[workspace.friction_joint].name;
+    diagnostics.error("E-MODEL-093", "joints." + joint + ".friction",
+                      fmt::format("joint '{}' jams at the start: no acceleration, or more than one, agrees with its "
+                                  "friction",
+                                  joint),
+                      {"a smaller coefficient, a longer guide or a force nearer to its line keep it free"});
+    throw ModelError(diagnostics);
+  }
   const int massless = find_massless(system, workspace);
   const std::string name = massless >= 0 ? name_coordinate(system, massless) : std::string{};
   if (massless >= 0 && massless < system.tables.counts.n_free_turns) {
@@ -70,6 +121,13 @@ void require_start(const Mechanism& mechanism, const Assembly& assembly) {
   require_regular(mechanism, assembly);
   require_clear_start(mechanism, assembly);
   require_accelerations(mechanism, assembly);
+}
+
+void require_ideal_start(const Mechanism& mechanism, const Study& study) {
+  const bool has_any =
+      std::ranges::any_of(mechanism.joints, [](const Joint& joint) { return has_clearance(joint.kind); });
+  if (!has_any || !study.compare_ideal || !study.ideal_friction) return;
+  if (const auto assembly = assemble_ideal(mechanism)) require_start(make_ideal_with_friction(mechanism), *assembly);
 }
 
 }  // namespace gudgeon

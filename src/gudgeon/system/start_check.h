@@ -4,6 +4,7 @@
 // Whether a run can start.
 #pragma once
 
+#include "gudgeon/model/study.h"
 #include "gudgeon/system/assembly.h"
 
 namespace gudgeon {
@@ -11,5 +12,8 @@ namespace gudgeon {
 /// Throws ModelError when a mechanism cannot be run from an assembled start: a journal beyond its bearing, a spring
 /// without length, a load without value, a singular position, accelerations that nothing determines.
 void require_start(const Mechanism& mechanism, const Assembly& assembly);
+
+/// The same of the ideal counterpart with friction, where the study compares with it.
+void require_ideal_start(const Mechanism& mechanism, const Study& study);
 
 }  // namespace gudgeon

@@ -10,10 +10,12 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "gudgeon/system/contact_force.h"
 #include "gudgeon/system/elimination.h"
+#include "gudgeon/system/friction_joint.h"
 #include "gudgeon/system/load_tables.h"
 #include "gudgeon/system/point_chain.h"
 #include "gudgeon/system/topology.h"
@@ -129,7 +131,7 @@ struct Tables {
   int n_solve = 0;     ///< unknowns and active rows
   int n_indices = 0;   ///< all equations and the bin
   int n_slots = 0;     ///< all matrix entries and the bin
-  int n_bristles = 0;  ///< contacts whose friction law has one
+  int n_bristles = 0;  ///< contacts, then ideal joints, whose friction law has one
 
   std::vector<double> constant_values;  ///< matrix entries that never change; zeros elsewhere
   std::vector<double> turn_inertia;     ///< of each turn's motion alone [kg m^2]: diagonal of H without slides
@@ -152,6 +154,8 @@ struct Tables {
   std::vector<Contact> contacts;
   std::vector<ContactGroup> contact_groups;  ///< one a clearance joint
   LoadTables loads;
+  std::vector<FrictionJoint> friction_joints;             ///< one an ideal joint with friction
+  std::shared_ptr<const FrictionBodies> friction_bodies;  ///< none where no ideal joint has friction
 
   [[nodiscard]] int bin_index() const { return n_indices - 1; }
   [[nodiscard]] int find_turn_index(int turn) const;

@@ -4,6 +4,7 @@
 // Scratch memory of one thread: everything an evaluation writes, allocated once.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "gudgeon/base/state_archive.h"
@@ -11,6 +12,11 @@
 #include "gudgeon/system/tables.h"
 
 namespace gudgeon {
+
+class FrictionSolver;
+
+/// Nothing where no ideal joint has friction.
+std::shared_ptr<FrictionSolver> make_friction_solver(const Tables& tables);
 
 struct Workspace {
   explicit Workspace(const Tables& tables)
@@ -29,7 +35,13 @@ struct Workspace {
         contact_motions(tables.contacts.size()),
         contact_forces(tables.contacts.size()),
         touches(tables.contacts.size(), false),
-        loads(tables.loads) {}
+        loads(tables.loads),
+        friction_forces(tables.friction_joints.size()),
+        friction_solver(make_friction_solver(tables)) {}
+  Workspace(const Workspace&) = delete;  // two would write to one solver
+  Workspace& operator=(const Workspace&) = delete;
+  Workspace(Workspace&&) = default;
+  Workspace& operator=(Workspace&&) = default;
 
   /// Makes room for tables of the same mechanism in which other closure rows are enforced.
   void fit(const Tables& tables) {
@@ -40,7 +52,7 @@ struct Workspace {
   /// Tables must be those that the workspace fits, when it is saved and when it is loaded.
   void transfer(StateArchive& archive) {
     archive(coordinates, values, inverse_pivots, factors, solution, equations, effort, closure_gap, closure_rate);
-    archive(bristles, point_motions, point_loads, contact_motions, contact_forces, touches, loads);
+    archive(bristles, point_motions, point_loads, contact_motions, contact_forces, touches, loads, friction_forces);
   }
 
   Coordinates coordinates;
@@ -59,6 +71,10 @@ struct Workspace {
   std::vector<ContactForces> contact_forces;
   std::vector<char> touches;  ///< whether a contact's forces are other than all zero
   LoadScratch loads;
+  std::vector<FrictionForces> friction_forces;  ///< one an ideal joint with friction
+  double friction_margin = 1.0;                 ///< of Eq. F15: at zero friction has no solution, or no single one
+  int friction_joint = -1;                      ///< whose friction that is; -1 where nothing rubs
+  std::shared_ptr<FrictionSolver> friction_solver;
 };
 
 }  // namespace gudgeon
