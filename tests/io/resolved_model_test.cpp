@@ -95,6 +95,31 @@ TEST(ResolvedModel, WritesNestedDampingSoThatItReadsBack) {
   EXPECT_EQ(std::get<ExactRestitutionDamping>(read.damping).restitution, 1.0 / 3.0);
 }
 
+TEST(ResolvedModel, WritesFrictionOfIdealJointsSoThatItReadsBack) {
+  Mechanism mechanism = make_every_kind();
+  const Lugre law{.static_coefficient = 0.2, .kinetic_coefficient = 0.1 / 3.0};
+  std::get<Revolute>(mechanism.joints[0].kind).friction = JointFriction{law, 0.01 / 3.0};
+  std::get<Prismatic>(mechanism.joints[2].kind).friction = JointFriction{CoulombSmooth{0.1}, 0.0, 0.07 / 3.0, 0.02};
+  PinInSlot slot{{"a", "P"}, {"c", "P"}, 0.2};
+  slot.friction = JointFriction{Threlfall{0.1}, 0.03 / 7.0};
+  mechanism.joints.push_back({"j8", slot});
+  Study study;
+  study.cycle_time = 0.7;
+  study.ideal_friction = true;
+  const std::string text = write_resolved_model(mechanism, study);
+  const ModelFile back = read_model_text("resolved.toml", text);
+  EXPECT_FALSE(back.diagnostics.has_errors()) << render(back.diagnostics, back.source) << text;
+  EXPECT_EQ(write_resolved_model(back.mechanism, back.study), text);
+  EXPECT_TRUE(back.study.ideal_friction);
+  const JointFriction& pin = *find_friction(back.mechanism.joints[0].kind);
+  EXPECT_EQ(std::get<Lugre>(pin.law).kinetic_coefficient, 0.1 / 3.0);
+  EXPECT_EQ(pin.pin_radius, 0.01 / 3.0);
+  const JointFriction& guide = *find_friction(back.mechanism.joints[2].kind);
+  EXPECT_EQ(guide.guide_length, 0.07 / 3.0);
+  EXPECT_EQ(guide.guide_height, 0.02);
+  EXPECT_EQ(find_friction(back.mechanism.joints.back().kind)->pin_radius, 0.03 / 7.0);
+}
+
 TEST(ResolvedModel, WritesOutDefaults) {
   const std::string text = write_resolved_model(make_every_kind(), {});
   for (const char* line : {"relative_tolerance = 1e-06", "warm_up_cycles = 0", "wear_distribution = \"spread\"",

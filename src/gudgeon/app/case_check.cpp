@@ -28,6 +28,7 @@ std::string find_errors(const ModelFile& model) {
   if (model.diagnostics.has_errors()) return render(model.diagnostics, model.source);
   try {
     require_start(model.mechanism, assemble(model.mechanism));
+    require_ideal_start(model.mechanism, model.study);
     return {};
   } catch (const ModelError& error) {
     return render(error.diagnostics(), model.source);

@@ -39,6 +39,7 @@ struct CheckOptions {
 std::string render_model(ModelFile& model) {
   const Assembly assembly = assemble(model.mechanism);
   require_start(model.mechanism, assembly);
+  require_ideal_start(model.mechanism, model.study);
   model.diagnostics.append(remark_start(model.mechanism, assembly));
   model.diagnostics.append(remark_ideal_start(model.mechanism, model.study));
   model.diagnostics.append(remark_pinned_bodies(model.mechanism));

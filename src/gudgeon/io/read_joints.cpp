@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "gudgeon/io/read_joint_friction.h"
 #include "gudgeon/io/read_sections.h"
 
 namespace gudgeon {
@@ -21,6 +22,7 @@ Anchor read_anchor_of(TableReader& table, std::string_view key) {
 AnyJoint read_revolute(TableReader& table) {
   Revolute joint;
   read_between(table, joint.first, joint.second);
+  joint.friction = read_joint_friction(table, list_friction_sizes(joint));
   return joint;
 }
 
@@ -34,6 +36,7 @@ AnyJoint read_prismatic(TableReader& table) {
     joint.start_speed = start->find_quantity("speed", dimension::kSpeed);
     start->check_unknown_keys();
   }
+  joint.friction = read_joint_friction(table, list_friction_sizes(joint));
   return joint;
 }
 
@@ -100,6 +103,7 @@ AnyJoint read_pin_in_slot(TableReader& table) {
   PinInSlot joint;
   read_between(table, joint.first, joint.second);
   joint.direction = table.read_quantity("direction", dimension::kAngle);
+  joint.friction = read_joint_friction(table, list_friction_sizes(joint));
   return joint;
 }
 

@@ -100,6 +100,7 @@ Study read_study(TableReader& root) {
   table->update_choice<Integrator>("integrator", kIntegrators, study.integrator);
   table->update_choice<Stabilization>("stabilization", kStabilizations, study.stabilization);
   study.compare_ideal = table->find_switch("compare_ideal").value_or(study.compare_ideal);
+  study.ideal_friction = table->find_switch("ideal_friction").value_or(study.ideal_friction);
   study.reference = read_reference(*table);
   if (table->is_newer("cycle_time", "cycle_driver")) {
     study.cycle_driver.clear();

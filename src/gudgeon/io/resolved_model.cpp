@@ -10,6 +10,7 @@
 #include "gudgeon/io/resolved_loads.h"
 #include "gudgeon/io/toml_lines.h"
 #include "gudgeon/laws/law.h"
+#include "gudgeon/model/friction_sizes.h"
 
 namespace gudgeon {
 
@@ -53,6 +54,31 @@ void write_body(const Body& body, TomlLines& out) {
   }
 }
 
+template <class AnyLaw>
+std::string law_text(const AnyLaw& any, std::string_view more = "") {
+  return std::visit(
+      [&]<class Law>(const Law& law) {
+        std::string text = fmt::format("{{ law = \"{}\"", Law::kName);
+        for (const Parameter<Law>& parameter : Law::kParameters) {
+          text += fmt::format(", {} = {}", parameter.key, toml_quantity(law.*parameter.member, parameter.dimension));
+        }
+        if constexpr (NestsDamping<Law>) text += ", damping = " + law_text(law.damping);
+        return fmt::format("{}{} }}", text, more);
+      },
+      any);
+}
+
+/// Friction of an ideal joint, with its sizes beside the law's parameters.
+template <class Kind>
+void write_friction(const Kind& joint, TomlLines& out) {
+  if (!joint.friction) return;
+  std::string sizes;
+  for (const FrictionSize& size : list_friction_sizes(joint)) {
+    sizes += fmt::format(", {} = {}", size.key, toml_quantity((*joint.friction).*size.member, size.dimension));
+  }
+  out.line("friction", law_text(joint.friction->law, sizes));
+}
+
 /// Materials and contacts by their text, since two that share a name may differ when a program made them.
 class SharedTables {
  public:
@@ -91,20 +117,6 @@ class SharedTables {
     return find_name(materials_, material.name, lines.text());
   }
 
-  template <class AnyLaw>
-  static std::string law_text(const AnyLaw& any) {
-    return std::visit(
-        []<class Law>(const Law& law) {
-          std::string text = fmt::format("{{ law = \"{}\"", Law::kName);
-          for (const Parameter<Law>& parameter : Law::kParameters) {
-            text += fmt::format(", {} = {}", parameter.key, toml_quantity(law.*parameter.member, parameter.dimension));
-          }
-          if constexpr (NestsDamping<Law>) text += ", damping = " + law_text(law.damping);
-          return text + " }";
-        },
-        any);
-  }
-
   /// The name under which that text is written: the wished one unless another text has it.
   static std::string find_name(Tables& tables, const std::string& wished, const std::string& text) {
     std::string name = wished;
@@ -133,6 +145,7 @@ void write_between(const Anchor& first, const Anchor& second, TomlLines& out) {
 void write_kind(const Revolute& joint, SharedTables& /*shared*/, TomlLines& out) {
   out.line("type", "\"revolute\"");
   write_between(joint.first, joint.second, out);
+  write_friction(joint, out);
 }
 
 void write_kind(const Prismatic& joint, SharedTables& /*shared*/, TomlLines& out) {
@@ -144,12 +157,14 @@ void write_kind(const Prismatic& joint, SharedTables& /*shared*/, TomlLines& out
   start.add("displacement", joint.start_displacement, dimension::kLength);
   start.add("speed", joint.start_speed, dimension::kSpeed);
   start.write(out);
+  write_friction(joint, out);
 }
 
 void write_kind(const PinInSlot& joint, SharedTables& /*shared*/, TomlLines& out) {
   out.line("type", "\"pin_in_slot\"");
   write_between(joint.first, joint.second, out);
   out.line("direction", toml_quantity(joint.direction, dimension::kAngle));
+  write_friction(joint, out);
 }
 
 void write_kind(const PrismaticClearance& joint, SharedTables& shared, TomlLines& out) {
@@ -219,6 +234,7 @@ void write_study(const Study& study, TomlLines& out) {
   out.line("cells", fmt::format("{}", study.cells));
   out.line("wear_distribution", toml_text(choice_name<WearDistribution>(kWearDistributions, study.wear_distribution)));
   out.line("compare_ideal", study.compare_ideal ? "true" : "false");
+  out.line("ideal_friction", study.ideal_friction ? "true" : "false");
   out.line("outputs_per_cycle", fmt::format("{}", study.outputs_per_cycle));
   out.line("relative_tolerance", toml_number(study.relative_tolerance));
   out.line("absolute_tolerance", toml_number(study.absolute_tolerance));

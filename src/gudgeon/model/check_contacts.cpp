@@ -10,6 +10,7 @@
 
 #include "gudgeon/laws/damping/delivered_restitution.h"
 #include "gudgeon/model/check_rules.h"
+#include "gudgeon/model/friction_sizes.h"
 
 namespace gudgeon {
 
@@ -135,6 +136,16 @@ void check_material(CheckRules& rules, const Material& material) {
                     kPoissonRange);
 }
 
+void check_friction_law(CheckRules& rules, const AnyFriction& any, const std::string& subject,
+                        const std::string& path) {
+  std::visit(
+      [&](const auto& law) {
+        check_parameters(rules, law, subject + ": friction", path + ".friction");
+        remark_friction(rules, law, subject, path + ".friction");
+      },
+      any);
+}
+
 void check_laws(CheckRules& rules, const ContactProperties& contact, const std::string& subject,
                 const std::string& path) {
   const auto check_law = [&](const auto& any, const std::string& key) {
@@ -150,6 +161,34 @@ void check_laws(CheckRules& rules, const ContactProperties& contact, const std::
 }
 
 }  // namespace
+
+void check_joint_friction(CheckRules& rules, const Joint& joint) {
+  const JointFriction* friction = find_friction(joint.kind);
+  if (friction == nullptr) return;
+  const std::string subject = fmt::format("joint '{}'", joint.name);
+  const std::string path = fmt::format("joints.{}", joint.name);
+  check_friction_law(rules, friction->law, subject, path);
+  std::visit(
+      [&]<class Kind>(const Kind& kind) {
+        if constexpr (requires { list_friction_sizes(kind); }) {
+          for (const FrictionSize& size : list_friction_sizes(kind)) {
+            const std::string size_path = fmt::format("{}.friction.{}", path, size.key);
+            rules.check_range("E-MODEL-012", {subject, size_path, friction->*size.member, size.dimension}, size.range);
+          }
+        }
+      },
+      joint.kind);
+  if (friction->guide_height > 0.0 && !(friction->guide_length > 0.0)) {
+    rules.diagnostics.error("E-MODEL-012", path + ".friction.guide_height",
+                            fmt::format("{}: guide_height has no meaning without a guide_length", subject));
+  }
+  const bool has_bristle = std::visit([]<class Law>(const Law&) { return Law::kHasBristle; }, friction->law);
+  if (!std::holds_alternative<PinInSlot>(joint.kind) || !has_bristle) return;
+  rules.diagnostics.error("E-MODEL-018", path + ".friction.law",
+                          fmt::format("{}: {} bends bristles, and a pin changes the wall of its slot that they are on",
+                                      subject, law_name(friction->law)),
+                          {"a law without bristles, as lugre_steady, can"});
+}
 
 void check_contacts(CheckRules& rules) {
   std::set<std::string> seen_contacts;

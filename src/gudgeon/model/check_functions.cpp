@@ -27,16 +27,13 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 /// True for a recorded channel that is no state channel: by its last part, "slider.x_acceleration", or as an energy.
 bool is_result(const std::string& name) {
-  static constexpr std::array<std::string_view, 30> kResults{"x_acceleration", "y_acceleration", "angle_acceleration",
-                                                             "x_force",        "y_force",        "force",
-                                                             "moment",         "effort",         "normal_force",
-                                                             "left_force",     "right_force",    "friction_force",
-                                                             "penetration",    "slip_speed",     "in_contact",
-                                                             "n_contacts",     "bristle",        "contact_angle",
-                                                             "x_offset",       "y_offset",       "x_offset_rate",
-                                                             "y_offset_rate",  "height",         "height_rate",
-                                                             "tilt",           "tilt_rate",      "torque",
-                                                             "power",          "length",         "twist"};
+  static constexpr std::array<std::string_view, 31> kResults{
+      "x_acceleration", "y_acceleration", "angle_acceleration", "x_force",       "y_force",       "force",
+      "moment",         "effort",         "normal_force",       "left_force",    "right_force",   "friction_force",
+      "penetration",    "slip_speed",     "in_contact",         "n_contacts",    "bristle",       "friction_torque",
+      "contact_angle",  "x_offset",       "y_offset",           "x_offset_rate", "y_offset_rate", "height",
+      "height_rate",    "tilt",           "tilt_rate",          "torque",        "power",         "length",
+      "twist"};
   if (name.starts_with("energy.")) return true;
   const auto dot = name.rfind('.');
   return dot != std::string::npos && std::ranges::find(kResults, name.substr(dot + 1)) != kResults.end();

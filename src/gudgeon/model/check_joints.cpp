@@ -149,6 +149,7 @@ void check_joint(CheckRules& rules, const Joint& joint) {
                             fmt::format("{} connects body '{}' with itself", subject, first.body));
   }
   std::visit([&](const auto& kind) { check_sizes(rules, kind, subject, path); }, joint.kind);
+  check_joint_friction(rules, joint);
 }
 
 }  // namespace

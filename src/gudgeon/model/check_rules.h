@@ -75,6 +75,8 @@ std::vector<std::string> list_names(const std::vector<Named>& items) {
 void check_bodies(CheckRules& rules);
 void check_joints(CheckRules& rules);
 void check_contacts(CheckRules& rules);
+/// Law and sizes of an ideal joint's friction; none at all is right.
+void check_joint_friction(CheckRules& rules, const Joint& joint);
 void check_drivers(CheckRules& rules);
 void check_loads(CheckRules& rules);
 void check_study(CheckRules& rules);

@@ -208,9 +208,22 @@ void check_reference(CheckRules& rules) {
   }
 }
 
+void check_ideal_friction(CheckRules& rules) {
+  const int slot = find_bristled_slot(rules.mechanism);
+  if (!rules.study.ideal_friction || slot < 0) return;
+  rules.diagnostics.error(
+      "E-MODEL-018", "study.ideal_friction",
+      fmt::format(
+          "joint '{}': the friction law of its contact bends bristles, and an ideal pin changes the wall of its "
+          "slot that they are on",
+          rules.mechanism.joints[slot].name),
+      {"a law without bristles, as lugre_steady, can; or leave ideal_friction out"});
+}
+
 }  // namespace
 
 void check_study(CheckRules& rules) {
+  check_ideal_friction(rules);
   check_values(rules);
   check_cycle(rules);
   check_wear(rules);
