@@ -223,6 +223,18 @@ TEST(JointFriction, ThatJamsOnTheWayStopsTheStage) {
   EXPECT_NEAR(stage.end_time, (std::asin(sine) - 0.05) / 0.2, 1e-3) << stage.message;
 }
 
+TEST(JointFriction, StandsBesideALoadThatHoldsByItsJump) {
+  Mechanism mechanism = make_block(0.0, 1.0, {kRamp, 0.0, 0.0, 0.0});
+  VariableForce load{{"block", "middle"}};
+  load.x = Expression{"3 - 5*sign(block.x_velocity)", {}};
+  mechanism.loads.push_back({"brake", load});
+  const StageRecord stage = run_rubbing(mechanism, 1.0);
+  const double deceleration = (5.0 - 3.0) / 3.0 + kMu * kFall;
+  // down to full_speed; the rest of the way is within it
+  EXPECT_NEAR(read(stage, "block.x").back() - 0.1, 0.5 / deceleration, kFullSpeed * kFullSpeed / deceleration);
+  EXPECT_NEAR(read(stage, "block.x_velocity").back(), 0.0, 1e-12);
+}
+
 TEST(JointFriction, RaisesTheForceThatMakesIt) {
   const KinematicRecord record = run_kinematics(make_steep_slider_crank(0.05, 0.2), {6.0, 1, 12, "motor"});
   ASSERT_EQ(record.motion.status, StageStatus::finished) << record.motion.message;
