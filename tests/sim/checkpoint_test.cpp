@@ -194,6 +194,16 @@ TEST(Checkpoints, OfBristlesLightContactsAndSingularLoopsGoOnWithTheSameBits) {
 }
 
 // Seven thousand steps without an event: its integrator's memory cannot be saved, and starts anew in between.
+TEST(Checkpoints, OfJointsThatRubGoOnWithTheSameBits) {
+  Mechanism mechanism = oracle::make_slider_crank();
+  const Dahl law{.kinetic_coefficient = 0.2, .bristle_stiffness = 1e4};
+  std::get<Revolute>(mechanism.joints[1].kind).friction = JointFriction{law, 0.01};
+  std::get<Prismatic>(mechanism.joints[3].kind).friction = JointFriction{CoulombSmooth{0.2}, 0.0, 0.2, 0.04};
+  Study study = make_study(0.5, 1);
+  study.integrator = Integrator::explicit_pair;
+  expect_same_from_everywhere(mechanism, study);
+}
+
 TEST(Checkpoints, OfALongStiffMotionAreThereNowAndThen) {
   Study study = make_study(0.5, 4);
   study.integrator = Integrator::stiff;
