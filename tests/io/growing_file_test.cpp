@@ -246,13 +246,14 @@ bool is_readable_by_others(const std::filesystem::path& file) {
   return H5Ovisit(handle.id(), H5_INDEX_NAME, H5_ITER_NATIVE, read_each, nullptr) >= 0;
 }
 
-/// Goes on with the file until it has all stages; each comes in two blocks and a rest. Writes a byte when it begins.
+/// Goes on with the file until it has all stages; each comes in two blocks and a rest. Writes a byte when it begins and
+/// after each stage.
 [[noreturn]] void write_rest(const std::filesystem::path& file, const RunRecord& run, std::size_t n_kept,
-                             int begun) noexcept {
+                             int progress) noexcept {
   std::vector<std::string> kept;
   for (std::size_t k = 0; k < n_kept; ++k) kept.push_back(run.stages[k].name);
   RunWriter writer(file, run, true, kept);
-  if (::write(begun, "b", 1) != 1) ::_exit(1);
+  if (::write(progress, "b", 1) != 1) ::_exit(1);
   for (std::size_t k = kept.size(); k < run.stages.size(); ++k) {
     StageRecord rest = run.stages[k];
     for (int block = 0; block < 2; ++block) {
@@ -265,8 +266,23 @@ bool is_readable_by_others(const std::filesystem::path& file) {
       rest.time.erase(rest.time.begin(), rest.time.begin() + 50);
     }
     writer.append(rest);
+    if (::write(progress, "s", 1) != 1) ::_exit(1);
   }
   ::_exit(0);
+}
+
+/// Waits until so many bytes have come, or the other end is closed, and then for a share of the time the last one took;
+/// `pace` [s] is that time, kept from before where there is only one.
+void wait_into_stage(int progress, int n_bytes, double share, std::chrono::duration<double>& pace) {
+  auto last = std::chrono::steady_clock::now();
+  for (int k = 0; k < n_bytes; ++k) {
+    char byte = 0;
+    if (::read(progress, &byte, 1) != 1) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (k > 0) pace = now - last;
+    last = now;
+  }
+  std::this_thread::sleep_for(share * pace);
 }
 
 /// The stages from that one on, with the samples of their first channel.
@@ -294,26 +310,23 @@ TEST(GrowingFile, KillsOverAHundredStagesLoseNothing) {
   const RunRecord run = make_many_stages(100);
 #endif
   std::mt19937 random(7);
-  // Some stages at a time, whatever the machine.
-  const auto start = std::chrono::steady_clock::now();
-  RunWriter(scratch / "probe.h5", run, false).append(run.stages[0]);
-  const auto stage_time = std::chrono::steady_clock::now() - start;
+  std::chrono::duration<double> pace{0.0};
   std::size_t n_before = 0;
   int n_kills = 0;
   while (n_before < run.stages.size()) {
-    int begun[2];
-    ASSERT_EQ(::pipe(begun), 0);
+    int progress[2];
+    ASSERT_EQ(::pipe(progress), 0);
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
-    if (child == 0) write_rest(path, run, n_before, begun[1]);
-    ::close(begun[1]);
-    char byte = 0;
-    ASSERT_EQ(::read(begun[0], &byte, 1), 1);
-    ::close(begun[0]);
-    std::this_thread::sleep_for(stage_time * (static_cast<double>(random() % 1000) / 100.0));
+    if (child == 0) write_rest(path, run, n_before, progress[1]);
+    ::close(progress[1]);
+    // At most ten stages at a time, however fast the machine is at the moment.
+    const int n_bytes = 1 + static_cast<int>(random() % 10);
+    wait_into_stage(progress[0], n_bytes, static_cast<double>(random() % 1000) / 1000.0, pace);
     ::kill(child, SIGKILL);
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ::close(progress[0]);
     n_kills += WIFSIGNALED(status) ? 1 : 0;
     ASSERT_LT(n_kills, 2000) << "no progress";
     if (!std::filesystem::exists(path)) continue;
