@@ -118,7 +118,7 @@ TEST(ModelReader, ReadsJointsAndContacts) {
   ASSERT_EQ(mechanism.joints.size(), 4U);
   const auto& guide = std::get<Prismatic>(mechanism.joints[1].kind);
   EXPECT_DOUBLE_EQ(guide.direction, kPi / 2.0);
-  EXPECT_EQ(guide.start_displacement.value(), 0.002);
+  EXPECT_EQ(guide.start.displacement.value(), 0.002);
   EXPECT_DOUBLE_EQ(std::get<Rigid>(mechanism.joints[2].kind).relative_angle, kPi / 2.0);
   const auto& pin = std::get<RevoluteClearance>(mechanism.joints[3].kind);
   EXPECT_EQ(pin.bearing.body, "crank");

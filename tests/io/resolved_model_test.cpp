@@ -29,7 +29,7 @@ Mechanism make_every_kind() {
   ContactProperties contact{"pin", steel, other_steel, Hertz{1.4}, Frictionless{}, NoWear{}, Archard{1e-14 / 3.0}};
   mechanism.joints = {{"j1", Revolute{{"frame", "O"}, {"a", "O"}}},
                       {"j2", RevoluteClearance{{"a", "P"}, {"b", "P"}, 0.01, 0.0003, 0.02, contact}},
-                      {"j3", Prismatic{{"a", "P"}, {"b", "P"}, 0.3, std::numbers::pi, 0.4, 0.5}},
+                      {"j3", Prismatic{{"a", "P"}, {"b", "P"}, 0.3, std::numbers::pi, {0.4, 0.5}}},
                       {"j4", Rigid{{"b", "P"}, {"c", "P"}, -0.7}}};
   contact.normal_direction = NormalDirection::eccentricity;
   mechanism.joints.push_back({"j5", RevoluteClearance{{"a", "P"}, {"c", "P"}, 0.01, 0.0003, 0.02, contact}});

@@ -36,7 +36,7 @@ const std::map<std::string_view, Row> kDelivered{
 
 TEST(DeliveredRestitution, AgreesWithTheTable) {
   int n_forms = 0;
-  for_each_law<AnyDamping>([&]<class Damping> {
+  for_each_alternative<AnyDamping>([&]<class Damping> {
     if constexpr (requires(Damping damping) { damping.restitution; }) {
       ++n_forms;
       for (std::size_t i = 0; i < kAsked.size(); ++i) {
@@ -52,7 +52,7 @@ TEST(DeliveredRestitution, AgreesWithTheTable) {
 
 TEST(DeliveredRestitution, IsWhatEveryLawReturns) {
   int n_laws = 0;
-  for_each_law<AnyNormalForce>([&]<class Law> {
+  for_each_alternative<AnyNormalForce>([&]<class Law> {
     if constexpr (requires(Law law) { law.restitution; }) {
       ++n_laws;
       for (std::size_t i = 0; i < kAsked.size(); ++i) {
@@ -76,7 +76,7 @@ TEST(DeliveredRestitution, IsWhatEveryLawReturns) {
 
 TEST(DeliveredRestitution, DoesNotDependOnTheElasticForce) {
   int n_laws = 0;
-  for_each_law<AnyNormalForce>([&]<class Law> {
+  for_each_alternative<AnyNormalForce>([&]<class Law> {
     if constexpr (NestsDamping<Law>) {
       ++n_laws;
       Law law;
@@ -125,7 +125,7 @@ TEST(ExactRestitution, SatisfiesItsEquation) {
 }
 
 TEST(Rebound, HasTheDepthOfTheClosedForm) {
-  for_each_law<AnyDamping>([]<class Damping> {
+  for_each_alternative<AnyDamping>([]<class Damping> {
     if constexpr (requires(Damping damping) { damping.restitution; }) {
       for (const double exponent : {1.5, 2.0}) {
         const DampedHertz<Damping> law{0.6, exponent};

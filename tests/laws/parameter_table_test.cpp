@@ -31,7 +31,7 @@ TYPED_TEST_SUITE(LawFamily, Families);
 
 TYPED_TEST(LawFamily, NamesAreUniqueAndFormulasGiven) {
   std::set<std::string_view> names;
-  for_each_law<TypeParam>([&]<class Law> {
+  for_each_alternative<TypeParam>([&]<class Law> {
     EXPECT_TRUE(is_snake_case(Law::kName)) << Law::kName;
     EXPECT_TRUE(names.insert(Law::kName).second) << Law::kName << " twice";
     EXPECT_FALSE(std::string_view{Law::kFormula}.empty()) << Law::kName;
@@ -41,7 +41,7 @@ TYPED_TEST(LawFamily, NamesAreUniqueAndFormulasGiven) {
 }
 
 TYPED_TEST(LawFamily, ParametersHaveTheirOwnKeySymbolAndMember) {
-  for_each_law<TypeParam>([]<class Law> {
+  for_each_alternative<TypeParam>([]<class Law> {
     std::set<std::string_view> keys;
     std::set<std::string_view> symbols;
     Law law;
@@ -67,7 +67,7 @@ TYPED_TEST(LawFamily, ParametersHaveTheirOwnKeySymbolAndMember) {
 }
 
 TYPED_TEST(LawFamily, DefaultsAreInRangeOrMustBeGiven) {
-  for_each_law<TypeParam>([]<class Law> {
+  for_each_alternative<TypeParam>([]<class Law> {
     const Law law;
     for (const Parameter<Law>& parameter : Law::kParameters) {
       const double value = law.*parameter.member;

@@ -39,7 +39,7 @@ inline Model make_good() {
   mechanism.joints = {{"O", Revolute{{"frame", "O"}, {"crank", "O"}}},
                       {"A", RevoluteClearance{{"crank", "A"}, {"rod", "A"}, 0.01, 0.0005, 0.02, contact}},
                       {"S", Revolute{{"rod", "S"}, {"slider", "S"}}},
-                      {"guide", Prismatic{{"frame", "G"}, {"slider", "S"}, 0.0, 0.0, {}, {}}}};
+                      {"guide", Prismatic{{"frame", "G"}, {"slider", "S"}, 0.0, 0.0, {}}}};
   mechanism.drivers = {{"crank", DrivenAngle{"crank"}, 0.0, 1.0}};
   mechanism.loads = {{"push", ConstantForce{{"slider", "S"}, {1.0, 0.0}}}, {"brake", ConstantTorque{"crank", 1.0}}};
   model.study.cycle_driver = "crank";

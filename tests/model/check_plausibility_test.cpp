@@ -63,9 +63,9 @@ TEST(CheckPlausibility, DoesNotMindTheInertiaOfWhatNeverTurns) {
 
 TEST(CheckPlausibility, TellsADisplacementInMillimetresTakenForMetres) {
   Model model = make_bar();
-  std::get<Prismatic>(model.mechanism.joints[3].kind).start_displacement = -0.06;
+  std::get<Prismatic>(model.mechanism.joints[3].kind).start.displacement = -0.06;
   EXPECT_EQ(check_model(model), "");
-  std::get<Prismatic>(model.mechanism.joints[3].kind).start_displacement = -60.0;
+  std::get<Prismatic>(model.mechanism.joints[3].kind).start.displacement = -60.0;
   const std::string text = check_model(model);
   EXPECT_THAT(text, HasSubstr("R-MODEL-131"));
   EXPECT_THAT(text, HasSubstr("joint 'guide': start displacement is 60 m, 150 times the usual length of this model, "
@@ -86,7 +86,7 @@ TEST(CheckPlausibility, HasNothingToCompareASingleLengthWith) {
   model.mechanism.bodies.resize(1);
   model.mechanism.bodies[0].points = {{"G", {}}};
   model.mechanism.bodies.push_back({"sled", 1.0, 0.1, {}, {{"S", {}}}, {}});
-  model.mechanism.joints = {{"guide", Prismatic{{"frame", "G"}, {"sled", "S"}, 0.0, 0.0, 60.0, {}}}};
+  model.mechanism.joints = {{"guide", Prismatic{{"frame", "G"}, {"sled", "S"}, 0.0, 0.0, {60.0, {}}}}};
   model.mechanism.drivers.clear();
   model.mechanism.loads.clear();
   model.study = {};

@@ -165,10 +165,10 @@ Mechanism make_two_slides() {
   mechanism.bodies.insert(mechanism.bodies.end(), {table, carriage});
   mechanism.bodies.push_back(make_bar("pendulum", 0.33, 0.5, 4e-3, {0.19, -0.03}, start_turning(-1.0, 3.3)));
   Prismatic lower = make_slide({kFrameName, "guide"}, {"table", "foot"}, 0.3, 0.15, 0.11);
-  lower.start_speed = 0.6;
+  lower.start.speed = 0.6;
   // written from the carriage to the table, perpendicular to the lower guide: 0.3 − 0.15 − 0.25 + π/2 in its own axes
   Prismatic upper = make_slide({"carriage", "foot"}, {"table", "rail"}, -0.1 + 0.5 * std::numbers::pi, -0.25, -0.08);
-  upper.start_speed = -0.45;
+  upper.start.speed = -0.45;
   mechanism.joints.push_back({"lower", lower});
   mechanism.joints.push_back({"upper", upper});
   add_revolute(mechanism, "hook", {"carriage", "hook"}, {"pendulum", "a"});

@@ -80,7 +80,7 @@ Mechanism make_trammel() {
 Mechanism make_moved_slides() {
   Mechanism mechanism = make_two_slides();
   mechanism.name = "moved_slides";
-  for (const int joint : {0, 1}) std::get<Prismatic>(mechanism.joints[joint].kind).start_speed.reset();
+  for (const int joint : {0, 1}) std::get<Prismatic>(mechanism.joints[joint].kind).start.speed.reset();
   mechanism.bodies.back().start = {};
   mechanism.bodies.push_back(make_bar("tail", 0.2, 0.3, 1.4e-3, {0.12, 0.015}, start_turning(-0.6, -1.7)));
   add_revolute(mechanism, "tip", {"pendulum", "b"}, {"tail", "a"});

@@ -30,7 +30,7 @@ double guess_displacement(const Mechanism& mechanism, const Joint& joint) {
     if (target != nullptr && target->joint == joint.name) return eval_motion(driver, 0.0).value;
   }
   const auto* slide = std::get_if<Prismatic>(&joint.kind);
-  return slide == nullptr ? 0.0 : slide->start_displacement.value_or(0.0);
+  return slide == nullptr ? 0.0 : slide->start.displacement.value_or(0.0);
 }
 
 std::optional<double> find_relative_angle(const AnyJoint& joint) {
@@ -187,11 +187,11 @@ void add_start_rates(const Textbook& textbook, const TextbookState& state, RateC
   // a slide's start speed is the row that a driver of that slide would have
   for (const Joint& joint : mechanism.joints) {
     const auto* slide = std::get_if<Prismatic>(&joint.kind);
-    if (slide == nullptr || !slide->start_speed) continue;
+    if (slide == nullptr || !slide->start.speed) continue;
     Mechanism driven = mechanism;
     driven.drivers.assign(1, Driver{"start", DrivenSlide{joint.name}});
     const TextbookRows rows = Textbook(driven).eval_rows(state, 0.0);
-    conditions.matrix.row(conditions.add_row(*slide->start_speed)) = rows.jacobian.bottomRows<1>();
+    conditions.matrix.row(conditions.add_row(*slide->start.speed)) = rows.jacobian.bottomRows<1>();
   }
 }
 

@@ -61,7 +61,7 @@ void choose_motion(Driver& driver, double start, double speed, double swing, Dra
 Driver draw_driver(const Mechanism& mechanism, const Joint& joint, const oracle::TextbookState& pose, Draw& draw) {
   Driver driver{"motor", DrivenSlide{joint.name}};
   if (const auto* slide = std::get_if<Prismatic>(&joint.kind)) {
-    choose_motion(driver, *slide->start_displacement, draw.between(0.2, 1.0), draw.between(0.01, 0.04), draw);
+    choose_motion(driver, *slide->start.displacement, draw.between(0.2, 1.0), draw.between(0.01, 0.04), draw);
     return driver;
   }
   const auto& pin = std::get<Revolute>(joint.kind);
@@ -77,8 +77,8 @@ Driver draw_driver(const Mechanism& mechanism, const Joint& joint, const oracle:
 // A start value beside the driver's would only repeat it.
 void leave_start_to_driver(Mechanism& mechanism, Joint& joint) {
   if (auto* slide = std::get_if<Prismatic>(&joint.kind)) {
-    slide->start_displacement.reset();
-    slide->start_speed.reset();
+    slide->start.displacement.reset();
+    slide->start.speed.reset();
     return;
   }
   const auto& pin = std::get<Revolute>(joint.kind);
@@ -94,7 +94,7 @@ bool add_driver(Mechanism& mechanism, const oracle::TextbookState& pose, Draw& d
   for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
     const AnyJoint& kind = mechanism.joints[j].kind;
     const auto* slide = std::get_if<Prismatic>(&kind);
-    if (std::holds_alternative<Revolute>(kind) || (slide != nullptr && slide->start_displacement)) {
+    if (std::holds_alternative<Revolute>(kind) || (slide != nullptr && slide->start.displacement)) {
       candidates.push_back(j);
     }
   }

@@ -141,9 +141,11 @@ class Builder {
   void guide(int a, int b, Vec2 where, double direction, double displacement) {
     const Vec2 along{std::cos(direction), std::sin(direction)};
     const double local = direction - places_[static_cast<std::size_t>(a)].angle;
-    mechanism_.joints.push_back(
-        {name_joint(), Prismatic{add_point(a, where - displacement * along), add_point(b, where), local,
-                                 angle_between(a, b), displacement, std::nullopt}});
+    mechanism_.joints.push_back({name_joint(), Prismatic{add_point(a, where - displacement * along),
+                                                         add_point(b, where),
+                                                         local,
+                                                         angle_between(a, b),
+                                                         {displacement, std::nullopt}}});
   }
 
   void slot(int a, int b, Vec2 where, double direction, double displacement) {
@@ -289,7 +291,7 @@ class Builder {
       if (const auto* hinge = std::get_if<Revolute>(&joint.kind)) {
         body(find_body(mechanism_, hinge->second.body)).start.angle_rate = draw_.between(-5.0, 5.0);
       }
-      if (auto* slide = std::get_if<Prismatic>(&joint.kind)) slide->start_speed = draw_.between(-0.5, 0.5);
+      if (auto* slide = std::get_if<Prismatic>(&joint.kind)) slide->start.speed = draw_.between(-0.5, 0.5);
     }
   }
 

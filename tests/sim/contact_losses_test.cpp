@@ -43,8 +43,7 @@ Mechanism make_pushed_ball(bool with_tail, BallDrive drive = BallDrive::slide) {
   Mechanism mechanism = make_balls({{}}, {}, kModulus);
   mechanism.bodies[1].start = {};
   std::get<RevoluteClearance>(mechanism.joints[0].kind).contact.normal_force = LankaraniNikravesh{kRestitution, 1.5};
-  mechanism.joints.push_back(
-      {"guide", Prismatic{{kFrameName, "bearing_0"}, {"ball_0", "journal"}, 0.0, 0.0, std::nullopt, std::nullopt}});
+  mechanism.joints.push_back({"guide", Prismatic{{kFrameName, "bearing_0"}, {"ball_0", "journal"}, 0.0, 0.0, {}}});
   const std::string way = "(c + a*(sin(w*t + p) - 0.4*sin(2*(w*t + p))))";
   std::vector<std::pair<std::string, double>> constants{
       {"a", kDepth}, {"c", kBallClearance}, {"p", kPhase}, {"w", kRate}};

@@ -167,7 +167,7 @@ StageRecord run_block(const AnyLoad& load, double cycle_time) {
   Mechanism mechanism = oracle::make_empty("block", {}, {{"wall", {0.0, 0.0}}});
   mechanism.bodies.push_back({"block", 1.0, 0.1, {}, {{"eye", {0.0, 0.0}}}, {}});
   Prismatic guide = oracle::make_slide({kFrameName, "wall"}, {"block", "eye"}, 0.0, 0.0, 0.2);
-  guide.start_speed = -1.0;
+  guide.start.speed = -1.0;
   mechanism.joints.push_back({"guide", guide});
   mechanism.loads.push_back({"culprit", load});
   return run(mechanism, cycle_time);

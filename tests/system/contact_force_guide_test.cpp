@@ -99,7 +99,7 @@ void expect_balanced_guide_power(const Law& law) {
 
 TEST(GuideForce, PowerIsBalancedByEveryLawThatMayBeFlat) {
   int n_laws = 0;
-  for_each_law<AnyNormalForce>([&]<class Law> {
+  for_each_alternative<AnyNormalForce>([&]<class Law> {
     if constexpr (!NeedsRoundBearing<Law>) {
       auto law = make_sample_law<Law>();
       if constexpr (requires { law.stiffness; }) law.stiffness = 1e8;

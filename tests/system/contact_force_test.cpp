@@ -206,7 +206,7 @@ void expect_balanced_power(const AnyNormalForce& law) {
 }
 
 TEST(ContactForce, PowerIsBalancedByEveryLaw) {
-  for_each_law<AnyNormalForce>([]<class Law> {
+  for_each_alternative<AnyNormalForce>([]<class Law> {
     auto law = make_sample_law<Law>();
     if constexpr (requires { law.stiffness; }) law.stiffness = 1e8;
     if constexpr (std::same_as<Law, KelvinVoigt>) law.damping = 1e4;
@@ -216,7 +216,7 @@ TEST(ContactForce, PowerIsBalancedByEveryLaw) {
 
 // Round and round a worn pair without damping and friction: what the motion puts in comes back but for surface work.
 TEST(ContactForce, SlidesOverWornSurfacesWithoutLoss) {
-  for_each_law<AnyNormalForce>([]<class Law> {
+  for_each_alternative<AnyNormalForce>([]<class Law> {
     Contact contact = make_contact(kSurfaces[3]);
     auto law = make_sample_law<Law>();
     if constexpr (requires { law.stiffness; }) law.stiffness = 1e8;

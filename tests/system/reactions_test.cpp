@@ -122,11 +122,11 @@ std::vector<Mechanism> make_unusual_drives() {
   tied.drivers.push_back({"motor", DrivenAngle{"bracket"}, 0.4, -3.0});
   Mechanism upper = oracle::make_two_slides();
   upper.name = "driven_upper";
-  std::get<Prismatic>(upper.joints[1].kind).start_speed.reset();
+  std::get<Prismatic>(upper.joints[1].kind).start.speed.reset();
   upper.drivers.push_back({"press", DrivenSlide{"upper"}, -0.08, 0.9});
   Mechanism both = upper;
   both.name = "driven_both";
-  std::get<Prismatic>(both.joints[0].kind).start_speed.reset();
+  std::get<Prismatic>(both.joints[0].kind).start.speed.reset();
   both.drivers.insert(both.drivers.begin(), {"lift", DrivenSlide{"lower"}, 0.11, -0.7});
   both.drivers.push_back({"swing", DrivenAngle{"pendulum"}, -1.0, 3.3});
   return {closing, tied, upper, both};

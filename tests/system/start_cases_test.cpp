@@ -232,14 +232,14 @@ TEST(StartCases, ADisplacementChoosesTheBranchOfItsLoop) {
   // The rod points ahead of the crank's pin, or back: the guide's displacement says which, whatever the rod's angle.
   Mechanism mechanism = read_case_file("guide_start_speed").mechanism;
   auto& guide = std::get<Prismatic>(mechanism.joints[find_joint(mechanism, "guide")].kind);
-  guide.start_speed.reset();
+  guide.start.speed.reset();
   mechanism.bodies[2].start = {};
   mechanism.bodies[1].start = {};
   mechanism.drivers.push_back({"motor", DrivenAngle{"crank"}, 1.0, 0.0});
   const double half = std::sqrt(0.12 * 0.12 - 0.05 * 0.05 * std::sin(1.0) * std::sin(1.0));
   for (const double sign : {1.0, -1.0}) {
     const double exact = 0.05 * std::cos(1.0) + sign * half;
-    guide.start_displacement = exact + 3e-3;
+    guide.start.displacement = exact + 3e-3;
     const Assembly assembly = assemble(mechanism);
     EXPECT_NEAR(find_pose(mechanism, assembly, "slider").position.x, exact, 1e-12);
     const auto found = list_remarks(mechanism);
@@ -270,8 +270,8 @@ TEST(StartCases, AGuideInALoopCanBeTheOneThatIsExact) {
   Mechanism mechanism = read_case_file("guide_start_speed").mechanism;
   for (const int b : {1, 2}) mechanism.bodies[b].start = {};
   auto& guide = std::get<Prismatic>(mechanism.joints[find_joint(mechanism, "guide")].kind);
-  guide.start_speed.reset();
-  guide.start_displacement = 0.13;
+  guide.start.speed.reset();
+  guide.start.displacement = 0.13;
   const Assembly assembly = assemble(mechanism);
   EXPECT_NEAR(find_pose(mechanism, assembly, "slider").position.x, 0.13, 1e-14);
   EXPECT_TRUE(list_remarks(mechanism).empty());

@@ -77,7 +77,7 @@ void verify_ledger(book::Recorder& recorder, const std::string& name, const Stag
 TEST(Ledger, WithEveryLawOfNormalForce) {
   book::Recorder recorder({"Energy", "Ledger with every law of normal force", "zero in exact arithmetic",
                            kLoosePin + "elastic energy and damping of each law add up.", kLedgerReason});
-  for_each_law<AnyNormalForce>([&]<class Law>() {
+  for_each_alternative<AnyNormalForce>([&]<class Law>() {
     const StageRecord stage = run_loose_pin(make_real_law<Law>(), CoulombSmooth{0.1, 1e-2});
     verify_ledger(recorder, std::string(Law::kName), stage);
     EXPECT_GE(stage.energy.contact_damping, 0.0) << Law::kName;
@@ -87,7 +87,7 @@ TEST(Ledger, WithEveryLawOfNormalForce) {
 TEST(Ledger, WithEveryDampingFormOnACylindricalLaw) {
   book::Recorder recorder({"Energy", "Ledger with every damping form on johnson", "zero in exact arithmetic",
                            kLoosePin + "a cylindrical elastic force with each form of damping.", kLedgerReason});
-  for_each_law<AnyDamping>([&]<class Damping>() {
+  for_each_alternative<AnyDamping>([&]<class Damping>() {
     Johnson law;
     law.damping = make_sample_law<Damping>();
     verify_ledger(recorder, std::string(Damping::kName), run_loose_pin(law, Frictionless{}));
@@ -97,7 +97,7 @@ TEST(Ledger, WithEveryDampingFormOnACylindricalLaw) {
 TEST(Ledger, WithEveryLawOfFriction) {
   book::Recorder recorder({"Energy", "Ledger with every law of friction", "zero in exact arithmetic",
                            kLoosePin + "what friction takes is missing elsewhere.", kLedgerReason});
-  for_each_law<AnyFriction>([&]<class Law>() {
+  for_each_alternative<AnyFriction>([&]<class Law>() {
     const StageRecord stage = run_loose_pin(LankaraniNikravesh{0.9, 1.5}, make_sample_law<Law>());
     verify_ledger(recorder, std::string(Law::kName), stage);
     if constexpr (!std::same_as<Law, Frictionless>) {
@@ -111,7 +111,7 @@ TEST(Ledger, OnSurfacesWornByEveryLaw) {
                            kLoosePin + "a turn on fresh surfaces, and one on those that each law has worn.",
                            "the project's goal; the ledger's integrals have no tolerance of their own, and where a "
                            "grazing contact would pull, its force is held at zero over steps as long as in flight"});
-  for_each_law<AnyWear>([&]<class Law>() {
+  for_each_alternative<AnyWear>([&]<class Law>() {
     if constexpr (!std::same_as<Law, NoWear>) {
       const StageRecord stage =
           run_loose_pin(LankaraniNikravesh{0.9, 1.5}, CoulombSmooth{0.1, 1e-2}, make_real_wear<Law>());

@@ -70,7 +70,7 @@ TEST(Loads, MassOnASpringAndDamper) {
   Mechanism mechanism = oracle::make_empty("oscillator", {}, {{"wall", {0.1, -0.2}}});
   mechanism.bodies.push_back({"block", 2.3, 0.01, {0.02, 0.03}, {{"eye", {0.0, 0.0}}}, {}});
   Prismatic guide = oracle::make_slide({kFrameName, "wall"}, {"block", "eye"}, 0.4, 0.0, 0.45);
-  guide.start_speed = 0.6;
+  guide.start.speed = 0.6;
   mechanism.joints.push_back({"guide", guide});
   mechanism.loads.push_back({"spring", Spring{{kFrameName, "wall"}, {"block", "eye"}, 180.0, 3.2, 0.3}});
   const StageRecord stage = run_for(mechanism, 7.0, 350, 1e-11);

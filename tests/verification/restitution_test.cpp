@@ -48,7 +48,7 @@ TEST(Restitution, OfEveryDampingFormOverTheRestitutionAskedFor) {
        "root of χ (1 + e) = ln[(1 + χ)/(1 − χ e)], whatever stiffness, mass and speed",
        "A ball strikes its bearing; the ratio of the speeds after and before, for each e asked for.",
        "the run's tolerance is 1e-11 a step; the rest is rounding of the gap, within which onset is located"});
-  for_each_law<AnyDamping>([&]<class Damping>() {
+  for_each_alternative<AnyDamping>([&]<class Damping>() {
     if constexpr (!std::same_as<Damping, NoDamping>) {
       for (const double asked : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
         using Law = DampedHertz<Damping>;
@@ -61,10 +61,11 @@ TEST(Restitution, OfEveryDampingFormOverTheRestitutionAskedFor) {
 }
 
 TEST(Restitution, OfTheLawsThatHaveADampingOfTheirOwn) {
-  book::Recorder recorder({"Normal force", "Restitution delivered by anagnostopoulos and bai_zhao",
-                           "the linear damper that is cut off where it would pull; the same root for bai_zhao",
-                           "The same ball under the laws that are no damping form on a Hertzian force.",
-                           "the run's tolerance is 1e-11 a step; the rest is rounding of the gap, within which onset is located"});
+  book::Recorder recorder(
+      {"Normal force", "Restitution delivered by anagnostopoulos and bai_zhao",
+       "the linear damper that is cut off where it would pull; the same root for bai_zhao",
+       "The same ball under the laws that are no damping form on a Hertzian force.",
+       "the run's tolerance is 1e-11 a step; the rest is rounding of the gap, within which onset is located"});
   for (const double asked : {0.1, 0.3, 0.5, 0.7, 0.9, 0.99}) {
     const Anagnostopoulos linear{1e6, 2.0, asked};
     recorder.verify(fmt::format("anagnostopoulos, e = {:g} [1]", asked), linear.delivered_restitution(),

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "gudgeon/app/interval_text.h"
 #include "gudgeon/base/quantity.h"
 #include "gudgeon/laws/damping/any.h"
 #include "gudgeon/laws/friction/any.h"
@@ -18,22 +19,15 @@ namespace gudgeon {
 
 namespace {
 
-std::string describe_interval(const ParameterRange& range) {
-  const auto bound = [](double value) { return std::isinf(value) ? std::string{"∞"} : fmt::format("{:g}", value); };
-  const bool below = std::isinf(range.minimum);
-  return fmt::format("{}{}{}, {}{}", range.open_minimum || below ? "(" : "[", below ? "-" : "", bound(range.minimum),
-                     bound(range.maximum), range.open_maximum || std::isinf(range.maximum) ? ")" : "]");
-}
-
 template <class Any>
 void add_family(const std::string& family, std::vector<LawEntry>& laws) {
-  for_each_law<Any>([&]<class Law>() {
+  for_each_alternative<Any>([&]<class Law>() {
     LawEntry entry{family, std::string{Law::kName}, std::string{Law::kFormula}, {}};
     const Law defaults;
     for (const Parameter<Law>& parameter : Law::kParameters) {
       const double value = defaults.*parameter.member;
       entry.parameters.push_back({std::string{parameter.key}, std::string{parameter.symbol},
-                                  si_unit(parameter.dimension), describe_interval(parameter.range),
+                                  si_unit(parameter.dimension), interval_text(parameter.range),
                                   std::isnan(value) ? "required" : fmt::format("{:g}", value),
                                   std::string{parameter.meaning}});
     }

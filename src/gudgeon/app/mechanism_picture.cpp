@@ -84,7 +84,7 @@ void update_start(Mechanism& mechanism, const Assembly& assembly) {
     auto* slide = std::get_if<Prismatic>(&joint.kind);
     if (slide == nullptr) continue;
     const double direction = slide->direction + assembly.poses[find_body(mechanism, slide->first.body)].angle;
-    slide->start_displacement =
+    slide->start.displacement =
         dot(make_rotation(direction) * Vec2{1.0, 0.0},
             find_anchor(mechanism, assembly, slide->second) - find_anchor(mechanism, assembly, slide->first));
   }

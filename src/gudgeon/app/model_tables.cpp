@@ -18,28 +18,11 @@ namespace {
 
 std::string point_text(const Anchor& anchor) { return anchor.body + "." + anchor.point; }
 
-std::string play_text(double clearance, const char* where) {
-  return fmt::format("{:.6g} mm {}", clearance / kMillimeter, where);
-}
-
-/// Type and play of a joint.
-struct JointText {
-  std::string type;
-  std::string play;
-};
-
-JointText describe(const Revolute& /*joint*/) { return {"revolute", ""}; }
-JointText describe(const Prismatic& /*joint*/) { return {"prismatic", ""}; }
-JointText describe(const PinInSlot& /*joint*/) { return {"pin_in_slot", ""}; }
-JointText describe(const Rigid& /*joint*/) { return {"rigid", ""}; }
-JointText describe(const RevoluteClearance& joint) {
-  return {"revolute_clearance", play_text(joint.radial_clearance, "radial")};
-}
-JointText describe(const PrismaticClearance& joint) {
-  return {"prismatic_clearance", play_text(joint.clearance, "a side")};
-}
-JointText describe(const PinInSlotClearance& joint) {
-  return {"pin_in_slot_clearance", play_text(joint.clearance, "a side")};
+/// "0.1 mm radial", "0.2 mm a side"; nothing for an ideal joint.
+std::string play_text(const AnyJoint& joint) {
+  if (!has_clearance(joint)) return {};
+  const bool round = std::holds_alternative<RevoluteClearance>(joint);
+  return fmt::format("{:.6g} mm {}", find_clearance(joint) / kMillimeter, round ? "radial" : "a side");
 }
 
 std::string function_text(const Function& function, std::string_view unit) {
@@ -108,9 +91,9 @@ std::string describe_motion(const Driver& driver, double scale, std::string_view
 std::string render_joints(const Mechanism& mechanism, bool color) {
   Table table({{"joint"}, {"type"}, {"from"}, {"to"}, {"play"}});
   for (const Joint& joint : mechanism.joints) {
-    const JointText text = std::visit([](const auto& kind) { return describe(kind); }, joint.kind);
     const auto [first, second] = anchors(joint.kind);
-    table.add_row({joint.name, text.type, point_text(first), point_text(second), text.play});
+    table.add_row({joint.name, std::string(joint_type(joint.kind)), point_text(first), point_text(second),
+                   play_text(joint.kind)});
   }
   return table.empty() ? std::string{} : render_title("Joints", color) + table.render(color);
 }

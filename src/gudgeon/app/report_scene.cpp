@@ -16,11 +16,6 @@
 namespace gudgeon {
 namespace {
 
-/// Name of each alternative of AnyJoint, in its order; as the model file has it.
-constexpr const char* kJointKinds[] = {"revolute",           "prismatic",           "pin_in_slot",          "rigid",
-                                       "revolute_clearance", "prismatic_clearance", "pin_in_slot_clearance"};
-static_assert(std::size(kJointKinds) == std::variant_size_v<AnyJoint>);
-
 /// From the centre of mass, which is what is recorded; the frame stays where it is.
 Vec2 find_scene_place(const Mechanism& mechanism, int body, Vec2 local) {
   return body == 0 ? local : local - mechanism.bodies[body].center_of_mass;
@@ -39,8 +34,7 @@ void add_shape(const AnyJoint& kind, SceneJoint& scene) {
   std::visit(
       [&]<class Kind>(const Kind& joint) {
         if constexpr (requires { joint.direction; }) scene.direction = joint.direction;
-        if constexpr (requires { joint.radial_clearance; }) scene.clearance = joint.radial_clearance;
-        if constexpr (requires { joint.clearance; }) scene.clearance = joint.clearance;
+        if constexpr (ClearanceJoint<Kind>) scene.clearance = joint.play();
         if constexpr (requires { joint.bearing_length; }) scene.slot_length = joint.bearing_length;
         if constexpr (requires { joint.journal_length; }) scene.block_length = joint.journal_length;
         if constexpr (requires { joint.journal_height; }) scene.block_height = joint.journal_height;
@@ -52,7 +46,7 @@ SceneJoint make_scene_joint(const Mechanism& mechanism, const Joint& joint) {
   const auto [first, second] = anchors(joint.kind);
   SceneJoint scene;
   scene.name = joint.name;
-  scene.kind = kJointKinds[joint.kind.index()];
+  scene.kind = joint_type(joint.kind);
   scene.first = find_body(mechanism, first.body);
   scene.second = find_body(mechanism, second.body);
   const auto place = [&](int body, const Anchor& anchor) {
@@ -80,7 +74,7 @@ std::string describe_joint(const Joint& joint) {
                        format_engineering(pin->clearance, "m"), format_engineering(pin->journal_radius, "m"),
                        format_engineering(pin->bearing_length, "m"), format_engineering(pin->width, "m"));
   }
-  return kJointKinds[joint.kind.index()];
+  return std::string(joint_type(joint.kind));
 }
 
 /// One entry for all joints that are alike.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,6 +21,9 @@ enum class Interpolation {
 
 inline constexpr std::array<std::pair<std::string_view, Interpolation>, 3> kInterpolations{
     {{"linear", Interpolation::linear}, {"monotone", Interpolation::monotone}, {"spline", Interpolation::spline}}};
+constexpr std::span<const std::pair<std::string_view, Interpolation>> choices(Interpolation /*kind*/) {
+  return kInterpolations;
+}
 
 /// A curve through points (x_k, y_k), a cubic between two of them. Outside, a periodic curve, whose last value must
 /// equal its first, repeats; another holds its end value, with zero slope and curvature. Ends of a spline that is not

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <utility>
 
+#include "gudgeon/io/field_reader.h"
 #include "gudgeon/io/old_keys.h"
 #include "gudgeon/io/read_sections.h"
 #include "gudgeon/io/table_reader.h"
@@ -55,9 +56,7 @@ void read_sections(const DocumentNode& root, ModelFile& model) {
   ReadLog log{model.source, model.diagnostics};
   TableReader table{root, "", "the model", log};
   Mechanism& mechanism = model.mechanism;
-  mechanism.name = table.read_text("name");
-  mechanism.description = table.find_text("description").value_or("");
-  mechanism.gravity = table.find_vector("gravity", dimension::kAcceleration).value_or(Vec2{});
+  FieldReader(table).read(mechanism);
   mechanism.bodies = read_bodies(table);
   const std::vector<Material> materials = read_materials(table);
   const std::vector<ContactProperties> contacts = read_contacts(table, materials);

@@ -11,35 +11,12 @@
 #include <string>
 #include <string_view>
 
+#include "gudgeon/io/field_reader.h"
 #include "gudgeon/io/read_sections.h"
 
 namespace gudgeon {
 
 namespace {
-
-std::vector<Point> read_points(TableReader& body) {
-  std::vector<Point> points;
-  auto table = body.find_table("points", fmt::format("{}: points", body.subject()));
-  if (!table) return points;
-  for (const DocumentEntry& entry : table->entries()) {
-    // A point that cannot be read is kept, so that the joints on it are not reported as well.
-    const auto position = table->read_vector(entry.node, table->path_of(entry.key), dimension::kLength);
-    points.push_back({entry.key, position.value_or(Vec2{})});
-  }
-  return points;
-}
-
-BodyStart read_start(TableReader& body) {
-  BodyStart start;
-  auto table = body.find_table("start", fmt::format("{}: start", body.subject()));
-  if (!table) return start;
-  start.angle = table->find_quantity("angle", dimension::kAngle);
-  start.angle_rate = table->find_quantity("angle_rate", dimension::kAngularSpeed);
-  start.position = table->find_vector("position", dimension::kLength);
-  start.velocity = table->find_vector("velocity", dimension::kSpeed);
-  table->check_unknown_keys();
-  return start;
-}
 
 constexpr std::array<std::string_view, 11> kNamesOfFrames{"ground", "base",       "fixed",  "world",   "chassis", "bed",
                                                           "stand",  "foundation", "static", "housing", "link0"};
@@ -60,7 +37,6 @@ bool may_be_frame(const DocumentEntry& body, const DocumentNode::Table& bodies) 
 }
 
 void report_frame(TableReader& body) {
-  for (const std::string_view key : {"mass", "inertia"}) body.find(key);
   body.report("E-FILE-002", "mass", "mass and inertia are missing",
               {fmt::format("the body that stands still is called '{}' and has points only: if this is it, name it so, "
                            "here and in the joints",
@@ -71,19 +47,17 @@ Body read_body(const DocumentEntry& entry, const DocumentNode::Table& bodies, Re
   Body body;
   body.name = entry.key;
   TableReader table{entry.node, "bodies." + entry.key, fmt::format("body '{}'", entry.key), log};
-  // The frame does not move: it has points and nothing else.
+  FieldReader reader(table);
   if (body.name != kFrameName) {
     if (may_be_frame(entry, bodies)) {
       report_frame(table);
       body.mass = body.inertia = std::numeric_limits<double>::quiet_NaN();  // as what cannot be read
     } else {
-      body.mass = table.read_quantity("mass", dimension::kMass);
-      body.inertia = table.read_quantity("inertia", dimension::kInertia);
+      reader.read(Body::kMassFields, body);
     }
-    body.center_of_mass = table.find_vector("center_of_mass", dimension::kLength).value_or(Vec2{});
-    body.start = read_start(table);
+    reader.read(Body::kPlaceFields, body);
   }
-  body.points = read_points(table);
+  reader.read(Body::kPointFields, body);
   table.check_unknown_keys();
   return body;
 }

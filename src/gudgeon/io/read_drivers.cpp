@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gudgeon/io/read_function.h"
+#include "gudgeon/io/field_reader.h"
 #include "gudgeon/io/read_sections.h"
 
 namespace gudgeon {
@@ -22,7 +22,7 @@ double find_body_start(const Mechanism& mechanism, const std::string& name) {
 double find_slide_start(const Mechanism& mechanism, const std::string& name) {
   const int index = find_joint(mechanism, name);
   const auto* slide = index < 0 ? nullptr : std::get_if<Prismatic>(&mechanism.joints[index].kind);
-  return slide == nullptr ? 0.0 : slide->start_displacement.value_or(0.0);
+  return slide == nullptr ? 0.0 : slide->start.displacement.value_or(0.0);
 }
 
 /// True when exactly one of two keys is there; reported otherwise.
@@ -35,8 +35,9 @@ bool check_one_of(TableReader& table, std::string_view first, std::string_view s
 }
 
 /// A driver that stands still is a motion too.
-void read_motion(const DocumentNode& node, Dimension dimension, TableReader& table, Driver& driver) {
-  Function motion = read_function(node, table.path_of("motion"), dimension, read_constants(table), table);
+void read_given_motion(const DocumentNode& node, Dimension dimension, TableReader& table, Driver& driver) {
+  const std::string key{Driver::kMotionKey};
+  Function motion = read_function(node, table.path_of(key), dimension, read_constants(table), table);
   if (auto* expression = std::get_if<Expression>(&motion)) {
     driver.motion = std::move(*expression);
   } else if (auto* curve = std::get_if<SampledCurve>(&motion)) {
@@ -45,11 +46,24 @@ void read_motion(const DocumentNode& node, Dimension dimension, TableReader& tab
     const double place = std::get<double>(motion);
     driver.start = std::isfinite(place) ? place : 0.0;  // what could not be read has been reported
   }
-  for (const char* key : {"start", "speed"}) {
-    if (table.find(key) == nullptr || table.is_newer("motion", key)) continue;
-    table.report("E-FILE-013", key, fmt::format("motion and {} exclude each other", key),
+  for (const char* uniform : {"start", "speed"}) {
+    if (table.find(uniform) == nullptr || table.is_newer(key, uniform)) continue;
+    table.report("E-FILE-013", uniform, fmt::format("{} and {} exclude each other", key, uniform),
                  {"motion says where the driver is at every time, its start too"});
   }
+}
+
+/// The driver comes with the start that holds unless one is given.
+template <class Driven>
+void read_motion(TableReader& table, Driver& driver) {
+  const DocumentNode* motion = table.find(Driver::kMotionKey);
+  if (motion != nullptr && !table.is_newer("speed", Driver::kMotionKey)) {
+    driver.start = 0.0;
+    read_given_motion(*motion, Driven::kPlace, table, driver);
+    return;
+  }
+  if (motion != nullptr) table.find("constants");  // those of the motion that speed replaces
+  FieldReader(table).read(Driver::uniform_fields(Driven::kPlace, Driven::kRate), driver);
 }
 
 std::optional<Driver> read_driver(const DocumentEntry& entry, const Mechanism& mechanism, ReadLog& log) {
@@ -57,27 +71,19 @@ std::optional<Driver> read_driver(const DocumentEntry& entry, const Mechanism& m
   driver.name = entry.key;
   TableReader table{entry.node, "drivers." + entry.key, fmt::format("driver '{}'", entry.key), log};
   if (!check_one_of(table, "body", "slide")) return std::nullopt;
-  double default_start = 0.0;
-  Dimension start = dimension::kAngle;
-  Dimension speed = dimension::kAngularSpeed;
-  if (const auto body = table.find_text("body")) {
-    const std::string against = table.find_text("against").value_or(kFrameName);
-    driver.target = DrivenAngle{*body, against};
-    default_start = find_body_start(mechanism, *body) - find_body_start(mechanism, against);
-  }
-  if (const auto slide = table.find_text("slide")) {
-    driver.target = DrivenSlide{*slide};
-    default_start = find_slide_start(mechanism, *slide);
-    start = dimension::kLength;
-    speed = dimension::kSpeed;
-  }
-  const DocumentNode* motion = table.find("motion");
-  if (motion != nullptr && !table.is_newer("speed", "motion")) {
-    read_motion(*motion, start, table, driver);
+  FieldReader reader(table);
+  if (table.has("body")) {
+    DrivenAngle angle;
+    reader.read(angle);
+    driver.start = find_body_start(mechanism, angle.body) - find_body_start(mechanism, angle.against);
+    driver.target = std::move(angle);
+    read_motion<DrivenAngle>(table, driver);
   } else {
-    if (motion != nullptr) table.find("constants");  // those of the motion that speed replaces
-    driver.start = table.find_quantity("start", start).value_or(default_start);
-    driver.speed = table.read_quantity("speed", speed);
+    DrivenSlide slide;
+    reader.read(slide);
+    driver.start = find_slide_start(mechanism, slide.joint);
+    driver.target = std::move(slide);
+    read_motion<DrivenSlide>(table, driver);
   }
   table.check_unknown_keys();
   return driver;

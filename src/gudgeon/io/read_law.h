@@ -22,7 +22,7 @@ AnyLaw read_law(TableReader& table) {
   const std::string name = table.read_text("law");
   bool found = false;
   std::vector<std::string> names;
-  for_each_law<AnyLaw>([&]<class Law>() {
+  for_each_alternative<AnyLaw>([&]<class Law>() {
     names.emplace_back(Law::kName);
     if (name != Law::kName) return;
     found = true;

@@ -17,7 +17,7 @@ inline constexpr std::int64_t kRunFormatVersion = 2;
 
 /// One member of a record: its name on file, its SI unit, where it is stored.
 template <class Record, class Value>
-struct Field {
+struct RecordField {
   const char* name;
   const char* unit;
   Value Record::*member;
@@ -25,61 +25,61 @@ struct Field {
 };
 
 inline constexpr std::array kStageReals{
-    Field<StageRecord, double>{"start_time", "s", &StageRecord::start_time},
-    Field<StageRecord, double>{"end_time", "s", &StageRecord::end_time},
-    Field<StageRecord, double>{"cycle_time", "s", &StageRecord::cycle_time},
+    RecordField<StageRecord, double>{"start_time", "s", &StageRecord::start_time},
+    RecordField<StageRecord, double>{"end_time", "s", &StageRecord::end_time},
+    RecordField<StageRecord, double>{"cycle_time", "s", &StageRecord::cycle_time},
 };
 
 inline constexpr std::array kEnergyReals{
-    Field<EnergyBalance, double>{"initial_energy", "J", &EnergyBalance::initial_energy},
-    Field<EnergyBalance, double>{"kinetic", "J", &EnergyBalance::kinetic},
-    Field<EnergyBalance, double>{"potential", "J", &EnergyBalance::potential},
-    Field<EnergyBalance, double>{"elastic", "J", &EnergyBalance::elastic},
-    Field<EnergyBalance, double>{"driver_work", "J", &EnergyBalance::driver_work},
-    Field<EnergyBalance, double>{"load_work", "J", &EnergyBalance::load_work, true},
-    Field<EnergyBalance, double>{"damper_loss", "J", &EnergyBalance::damper_loss, true},
-    Field<EnergyBalance, double>{"contact_damping", "J", &EnergyBalance::contact_damping},
-    Field<EnergyBalance, double>{"friction", "J", &EnergyBalance::friction},
-    Field<EnergyBalance, double>{"surface_work", "J", &EnergyBalance::surface_work},
-    Field<EnergyBalance, double>{"exchanged", "J", &EnergyBalance::exchanged},
-    Field<EnergyBalance, double>{"load_reach", "J", &EnergyBalance::load_reach, true},
+    RecordField<EnergyBalance, double>{"initial_energy", "J", &EnergyBalance::initial_energy},
+    RecordField<EnergyBalance, double>{"kinetic", "J", &EnergyBalance::kinetic},
+    RecordField<EnergyBalance, double>{"potential", "J", &EnergyBalance::potential},
+    RecordField<EnergyBalance, double>{"elastic", "J", &EnergyBalance::elastic},
+    RecordField<EnergyBalance, double>{"driver_work", "J", &EnergyBalance::driver_work},
+    RecordField<EnergyBalance, double>{"load_work", "J", &EnergyBalance::load_work, true},
+    RecordField<EnergyBalance, double>{"damper_loss", "J", &EnergyBalance::damper_loss, true},
+    RecordField<EnergyBalance, double>{"contact_damping", "J", &EnergyBalance::contact_damping},
+    RecordField<EnergyBalance, double>{"friction", "J", &EnergyBalance::friction},
+    RecordField<EnergyBalance, double>{"surface_work", "J", &EnergyBalance::surface_work},
+    RecordField<EnergyBalance, double>{"exchanged", "J", &EnergyBalance::exchanged},
+    RecordField<EnergyBalance, double>{"load_reach", "J", &EnergyBalance::load_reach, true},
 };
 
 inline constexpr std::array kSolverCounts{
-    Field<SolverStatistics, std::int64_t>{"evaluations", "1", &SolverStatistics::evaluations},
-    Field<SolverStatistics, std::int64_t>{"accepted_steps", "1", &SolverStatistics::accepted_steps},
-    Field<SolverStatistics, std::int64_t>{"rejected_steps", "1", &SolverStatistics::rejected_steps},
-    Field<SolverStatistics, std::int64_t>{"onsets", "1", &SolverStatistics::onsets},
-    Field<SolverStatistics, std::int64_t>{"separations", "1", &SolverStatistics::separations},
-    Field<SolverStatistics, std::int64_t>{"projections", "1", &SolverStatistics::projections},
+    RecordField<SolverStatistics, std::int64_t>{"evaluations", "1", &SolverStatistics::evaluations},
+    RecordField<SolverStatistics, std::int64_t>{"accepted_steps", "1", &SolverStatistics::accepted_steps},
+    RecordField<SolverStatistics, std::int64_t>{"rejected_steps", "1", &SolverStatistics::rejected_steps},
+    RecordField<SolverStatistics, std::int64_t>{"onsets", "1", &SolverStatistics::onsets},
+    RecordField<SolverStatistics, std::int64_t>{"separations", "1", &SolverStatistics::separations},
+    RecordField<SolverStatistics, std::int64_t>{"projections", "1", &SolverStatistics::projections},
 };
 
 inline constexpr std::array kSolverReals{
-    Field<SolverStatistics, double>{"smallest_step", "s", &SolverStatistics::smallest_step},
-    Field<SolverStatistics, double>{"largest_step", "s", &SolverStatistics::largest_step},
-    Field<SolverStatistics, double>{"closure_residual", "m", &SolverStatistics::closure_residual},
-    Field<SolverStatistics, double>{"wall_time", "s", &SolverStatistics::wall_time},
+    RecordField<SolverStatistics, double>{"smallest_step", "s", &SolverStatistics::smallest_step},
+    RecordField<SolverStatistics, double>{"largest_step", "s", &SolverStatistics::largest_step},
+    RecordField<SolverStatistics, double>{"closure_residual", "m", &SolverStatistics::closure_residual},
+    RecordField<SolverStatistics, double>{"wall_time", "s", &SolverStatistics::wall_time},
 };
 
 inline constexpr std::array kWearReals{
-    Field<JointWear, double>{"bearing_radius", "m", &JointWear::bearing_radius},
-    Field<JointWear, double>{"journal_radius", "m", &JointWear::journal_radius},
-    Field<JointWear, double>{"clearance", "m", &JointWear::clearance, true},
-    Field<JointWear, double>{"slot_length", "m", &JointWear::slot_length, true},
-    Field<JointWear, double>{"width", "m", &JointWear::width},
-    Field<JointWear, double>{"archard_volume", "m^3", &JointWear::archard_volume},
-    Field<JointWear, double>{"removed_volume", "m^3", &JointWear::removed_volume},
-    Field<JointWear, double>{"sliding_distance", "m", &JointWear::sliding_distance},
-    Field<JointWear, double>{"contact_time", "s", &JointWear::contact_time},
-    Field<JointWear, double>{"impulse", "N s", &JointWear::impulse},
+    RecordField<JointWear, double>{"bearing_radius", "m", &JointWear::bearing_radius},
+    RecordField<JointWear, double>{"journal_radius", "m", &JointWear::journal_radius},
+    RecordField<JointWear, double>{"clearance", "m", &JointWear::clearance, true},
+    RecordField<JointWear, double>{"slot_length", "m", &JointWear::slot_length, true},
+    RecordField<JointWear, double>{"width", "m", &JointWear::width},
+    RecordField<JointWear, double>{"archard_volume", "m^3", &JointWear::archard_volume},
+    RecordField<JointWear, double>{"removed_volume", "m^3", &JointWear::removed_volume},
+    RecordField<JointWear, double>{"sliding_distance", "m", &JointWear::sliding_distance},
+    RecordField<JointWear, double>{"contact_time", "s", &JointWear::contact_time},
+    RecordField<JointWear, double>{"impulse", "N s", &JointWear::impulse},
 };
 
 inline constexpr std::array kWearSeries{
-    Field<JointWear, std::vector<double>>{"bearing_depth", "m", &JointWear::bearing_depth},
-    Field<JointWear, std::vector<double>>{"journal_depth", "m", &JointWear::journal_depth},
-    Field<JointWear, std::vector<double>>{"bearing_depth_added", "m", &JointWear::bearing_depth_added},
-    Field<JointWear, std::vector<double>>{"journal_depth_added", "m", &JointWear::journal_depth_added},
-    Field<JointWear, std::vector<double>>{"total_depth_added", "m", &JointWear::total_depth_added},
+    RecordField<JointWear, std::vector<double>>{"bearing_depth", "m", &JointWear::bearing_depth},
+    RecordField<JointWear, std::vector<double>>{"journal_depth", "m", &JointWear::journal_depth},
+    RecordField<JointWear, std::vector<double>>{"bearing_depth_added", "m", &JointWear::bearing_depth_added},
+    RecordField<JointWear, std::vector<double>>{"journal_depth_added", "m", &JointWear::journal_depth_added},
+    RecordField<JointWear, std::vector<double>>{"total_depth_added", "m", &JointWear::total_depth_added},
 };
 
 }  // namespace gudgeon

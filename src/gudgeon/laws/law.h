@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "gudgeon/base/alternatives.h"
 #include "gudgeon/base/parameter_table.h"
 
 namespace gudgeon {
@@ -27,14 +28,6 @@ template <class Law>
 concept NestsDamping = requires(const Law law) {
   std::variant_size<std::remove_cvref_t<decltype(law.damping)>>::value;
 };
-
-/// Calls visit.operator()<Law>() for every alternative of a family's variant, in order.
-template <class Any, class Visitor>
-constexpr void for_each_law(Visitor&& visitor) {
-  [&]<class... Laws>(std::type_identity<std::variant<Laws...>>) {
-    (visitor.template operator()<Laws>(), ...);
-  }(std::type_identity<Any>{});
-}
 
 /// The name of the law that a family's variant holds.
 template <class... Laws>

@@ -7,25 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gudgeon/model/check_rules.h"
+#include "gudgeon/model/check_fields.h"
 
 namespace gudgeon {
 
 namespace {
-
-void check_start(CheckRules& rules, const Body& body, const std::string& subject, const std::string& path) {
-  const ParameterRange any;
-  const BodyStart& start = body.start;
-  if (start.angle) {
-    rules.check_range("E-MODEL-005", {subject, path + ".start.angle", *start.angle, dimension::kAngle}, any);
-  }
-  if (start.angle_rate) {
-    const Dimension rate = dimension::kAngularSpeed;
-    rules.check_range("E-MODEL-005", {subject, path + ".start.angle_rate", *start.angle_rate, rate}, any);
-  }
-  if (start.position) rules.check_finite(subject, path + ".start.position", *start.position);
-  if (start.velocity) rules.check_finite(subject, path + ".start.velocity", *start.velocity);
-}
 
 /// Which bodies an ideal joint holds, one entry a body.
 std::vector<bool> list_held(const CheckRules& rules) {
@@ -43,7 +29,6 @@ std::vector<bool> list_held(const CheckRules& rules) {
 void check_inertia(CheckRules& rules, const Body& body, bool is_held, const std::string& path) {
   const std::string subject = fmt::format("body '{}'", body.name);
   const CheckRules::Value inertia{subject, path + ".inertia", body.inertia, dimension::kInertia};
-  rules.check_range("E-MODEL-004", inertia, kNotNegative);
   if (body.inertia != 0.0 || is_held) return;
   rules.diagnostics.error("E-MODEL-006", path + ".inertia",
                           fmt::format("{}: inertia is {}; only a body on an ideal joint may be a point mass", subject,
@@ -54,14 +39,12 @@ void check_inertia(CheckRules& rules, const Body& body, bool is_held, const std:
 void check_body(CheckRules& rules, const Body& body, bool is_held) {
   const std::string subject = fmt::format("body '{}'", body.name);
   const std::string path = fmt::format("bodies.{}", body.name);
-  for (const Point& point : body.points) {
-    rules.check_finite(subject, fmt::format("{}.points.{}", path, point.name), point.position);
-  }
+  FieldCheck fields(rules, subject, path);
+  fields.check(Body::kPointFields, body);
   if (body.name == kFrameName) return;
-  rules.check_range("E-MODEL-003", {subject, path + ".mass", body.mass, dimension::kMass}, kPositive);
+  fields.check(Body::kMassFields, body);
+  fields.check(Body::kPlaceFields, body);
   check_inertia(rules, body, is_held, path);
-  rules.check_finite(subject, path + ".center_of_mass", body.center_of_mass);
-  check_start(rules, body, subject, path);
 }
 
 /// Which bodies every body is tied to by joints, one list a body.

@@ -9,14 +9,11 @@
 #include <set>
 
 #include "gudgeon/laws/damping/delivered_restitution.h"
-#include "gudgeon/model/check_rules.h"
-#include "gudgeon/model/friction_sizes.h"
+#include "gudgeon/model/check_fields.h"
 
 namespace gudgeon {
 
 namespace {
-
-constexpr ParameterRange kPoissonRange{0.0, 0.5, false, true};
 
 // A restitution delivered within this of the one asked for is what the user meant.
 constexpr double kRestitutionMargin = 0.045;
@@ -130,10 +127,7 @@ void check_material(CheckRules& rules, const Material& material) {
   const std::string subject = fmt::format("material '{}'", material.name);
   const std::string path = fmt::format("materials.{}", material.name);
   rules.check_name("a material", path, material.name);
-  rules.check_range("E-MODEL-031", {subject, path + ".young_modulus", material.young_modulus, dimension::kPressure},
-                    kPositive);
-  rules.check_range("E-MODEL-031", {subject, path + ".poisson_ratio", material.poisson_ratio, dimension::kNone},
-                    kPoissonRange);
+  FieldCheck(rules, subject, path).check(material);
 }
 
 void check_friction_law(CheckRules& rules, const AnyFriction& any, const std::string& subject,
@@ -168,16 +162,6 @@ void check_joint_friction(CheckRules& rules, const Joint& joint) {
   const std::string subject = fmt::format("joint '{}'", joint.name);
   const std::string path = fmt::format("joints.{}", joint.name);
   check_friction_law(rules, friction->law, subject, path);
-  std::visit(
-      [&]<class Kind>(const Kind& kind) {
-        if constexpr (requires { list_friction_sizes(kind); }) {
-          for (const FrictionSize& size : list_friction_sizes(kind)) {
-            const std::string size_path = fmt::format("{}.friction.{}", path, size.key);
-            rules.check_range("E-MODEL-012", {subject, size_path, friction->*size.member, size.dimension}, size.range);
-          }
-        }
-      },
-      joint.kind);
   if (friction->guide_height > 0.0 && !(friction->guide_length > 0.0)) {
     rules.diagnostics.error("E-MODEL-012", path + ".friction.guide_height",
                             fmt::format("{}: guide_height has no meaning without a guide_length", subject));
@@ -209,8 +193,7 @@ void check_contacts(CheckRules& rules) {
     const std::string path = fmt::format("contacts.{}", contact.name);
     rules.check_name("a contact", path, contact.name);
     check_laws(rules, contact, subject, path);
-    rules.check_range("E-MODEL-033",
-                      {subject, path + ".onset_speed_floor", contact.onset_speed_floor, dimension::kSpeed}, kPositive);
+    FieldCheck(rules, subject, path).check(contact);
     for (const auto* material : {&contact.bearing_material, &contact.journal_material}) {
       const bool bearing = material == &contact.bearing_material;
       if (material->name.empty()) {

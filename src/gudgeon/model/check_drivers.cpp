@@ -95,8 +95,8 @@ class DriverCheck {
  private:
   void remark_start_displacement(const DrivenSlide& slide) {
     const auto* guide = std::get_if<Prismatic>(&rules_.mechanism.joints[rules_.names.find_joint(slide.joint)].kind);
-    if (guide == nullptr || !guide->start_displacement || !start_) return;
-    const double given = *guide->start_displacement;
+    if (guide == nullptr || !guide->start.displacement || !start_) return;
+    const double given = *guide->start.displacement;
     if (!(std::abs(given - *start_) > kSameDisplacement * std::max(std::abs(given), std::abs(*start_)))) return;
     rules_.diagnostics.remark("R-MODEL-107", path_ + (driver_.is_uniform() ? ".start" : ".motion"),
                               fmt::format("{} starts at {:.6g} mm, joint '{}' at {:.6g} mm; the driver's holds",

@@ -6,9 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
-#include "gudgeon/model/check_rules.h"
+#include "gudgeon/model/check_fields.h"
 
 namespace gudgeon {
 
@@ -17,18 +16,13 @@ namespace {
 // A clearance beyond this part of the radius is no bearing fit; contact stiffness and wear assume near-equal radii.
 constexpr double kWideClearance = 0.1;
 
-void check_angle(CheckRules& rules, const std::string& subject, const std::string& path, double angle) {
-  rules.check_range("E-MODEL-005", {subject, path, angle, dimension::kAngle}, ParameterRange{});
-}
+// What the sizes of a joint must be together, where each alone is within its range.
 
 void check_sizes(CheckRules& rules, const RevoluteClearance& joint, const std::string& subject,
                  const std::string& path) {
   using dimension::kLength;
   const CheckRules::Value radius{subject, path + ".bearing_radius", joint.bearing_radius, kLength};
   const CheckRules::Value clearance{subject, path + ".radial_clearance", joint.radial_clearance, kLength};
-  rules.check_range("E-MODEL-012", radius, kPositive);
-  rules.check_range("E-MODEL-012", clearance, kPositive);
-  rules.check_range("E-MODEL-012", {subject, path + ".width", joint.width, kLength}, kPositive);
   if (!(joint.radial_clearance > 0.0 && joint.bearing_radius > 0.0)) return;
   if (joint.radial_clearance >= joint.bearing_radius) {
     rules.diagnostics.error("E-MODEL-013", clearance.path,
@@ -44,32 +38,12 @@ void check_sizes(CheckRules& rules, const RevoluteClearance& joint, const std::s
   }
 }
 
-/// Lengths of a clearance joint that must be positive; true when all are.
-bool check_lengths(CheckRules& rules, const std::string& subject, const std::string& path,
-                   std::initializer_list<std::pair<const char*, double>> lengths) {
-  bool good = true;
-  for (const auto& [key, length] : lengths) {
-    rules.check_range("E-MODEL-012", {subject, path + "." + key, length, dimension::kLength}, kPositive);
-    good = good && length > 0.0;
-  }
-  return good;
-}
-
 void check_sizes(CheckRules& rules, const PrismaticClearance& joint, const std::string& subject,
                  const std::string& path) {
   const auto length = [&](const char* key, double value) {
     return rules.describe({subject, path + "." + key, value, dimension::kLength});
   };
-  check_angle(rules, subject, path + ".direction", joint.direction);
-  check_angle(rules, subject, path + ".relative_angle", joint.relative_angle);
-  const bool good = check_lengths(rules, subject, path,
-                                  {{"bearing_length", joint.bearing_length},
-                                   {"journal_length", joint.journal_length},
-                                   {"journal_height", joint.journal_height},
-                                   {"corner_radius", joint.corner_radius},
-                                   {"clearance", joint.clearance},
-                                   {"width", joint.width}});
-  if (!good) return;
+  if (!is_within_ranges(joint)) return;
   if (joint.journal_length >= joint.bearing_length) {
     rules.diagnostics.error(
         "E-MODEL-014", path + ".journal_length",
@@ -99,13 +73,7 @@ void check_sizes(CheckRules& rules, const PrismaticClearance& joint, const std::
 
 void check_sizes(CheckRules& rules, const PinInSlotClearance& joint, const std::string& subject,
                  const std::string& path) {
-  check_angle(rules, subject, path + ".direction", joint.direction);
-  const bool good = check_lengths(rules, subject, path,
-                                  {{"bearing_length", joint.bearing_length},
-                                   {"journal_radius", joint.journal_radius},
-                                   {"clearance", joint.clearance},
-                                   {"width", joint.width}});
-  if (!good || 2.0 * joint.journal_radius < joint.bearing_length) return;
+  if (!is_within_ranges(joint) || 2.0 * joint.journal_radius < joint.bearing_length) return;
   rules.diagnostics.error(
       "E-MODEL-016", path + ".journal_radius",
       fmt::format("{}: journal_radius is {}; a pin of that size does not fit into a slot of bearing_length {}", subject,
@@ -113,42 +81,25 @@ void check_sizes(CheckRules& rules, const PinInSlotClearance& joint, const std::
                   rules.describe({subject, path + ".bearing_length", joint.bearing_length, dimension::kLength})));
 }
 
-void check_sizes(CheckRules& /*rules*/, const Revolute& /*joint*/, const std::string& /*subject*/,
+template <class Kind>
+void check_sizes(CheckRules& /*rules*/, const Kind& /*joint*/, const std::string& /*subject*/,
                  const std::string& /*path*/) {}
-
-void check_sizes(CheckRules& rules, const PinInSlot& joint, const std::string& subject, const std::string& path) {
-  check_angle(rules, subject, path + ".direction", joint.direction);
-}
-
-void check_sizes(CheckRules& rules, const Rigid& joint, const std::string& subject, const std::string& path) {
-  check_angle(rules, subject, path + ".relative_angle", joint.relative_angle);
-}
-
-void check_sizes(CheckRules& rules, const Prismatic& joint, const std::string& subject, const std::string& path) {
-  const ParameterRange any;
-  check_angle(rules, subject, path + ".direction", joint.direction);
-  check_angle(rules, subject, path + ".relative_angle", joint.relative_angle);
-  if (joint.start_displacement) {
-    const double displacement = *joint.start_displacement;
-    rules.check_range("E-MODEL-005", {subject, path + ".start.displacement", displacement, dimension::kLength}, any);
-  }
-  if (joint.start_speed) {
-    rules.check_range("E-MODEL-005", {subject, path + ".start.speed", *joint.start_speed, dimension::kSpeed}, any);
-  }
-}
 
 void check_joint(CheckRules& rules, const Joint& joint) {
   const std::string subject = fmt::format("joint '{}'", joint.name);
   const std::string path = fmt::format("joints.{}", joint.name);
   const bool clearance = has_clearance(joint.kind);
   const auto [first, second] = anchors(joint.kind);
-  check_anchor(rules, subject, path + (clearance ? ".bearing" : ".between.0"), first);
-  check_anchor(rules, subject, path + (clearance ? ".journal" : ".between.1"), second);
   if (first.body == second.body && !first.body.empty()) {
     rules.diagnostics.error("E-MODEL-023", path + (clearance ? ".journal" : ".between"),
                             fmt::format("{} connects body '{}' with itself", subject, first.body));
   }
-  std::visit([&](const auto& kind) { check_sizes(rules, kind, subject, path); }, joint.kind);
+  std::visit(
+      [&](const auto& kind) {
+        FieldCheck(rules, subject, path).check(kind);
+        check_sizes(rules, kind, subject, path);
+      },
+      joint.kind);
   check_joint_friction(rules, joint);
 }
 

@@ -101,7 +101,7 @@ std::vector<Length> list_lengths(const Mechanism& mechanism) {
     const auto* slide = std::get_if<Prismatic>(&joint.kind);
     if (slide == nullptr) continue;
     add_length(lengths, fmt::format("joint '{}': start displacement", joint.name),
-               fmt::format("joints.{}.start.displacement", joint.name), slide->start_displacement);
+               fmt::format("joints.{}.start.displacement", joint.name), slide->start.displacement);
   }
   for (const Load& load : mechanism.loads) {
     const auto* spring = std::get_if<Spring>(&load.kind);

@@ -10,7 +10,7 @@
 #include <functional>
 #include <utility>
 
-#include "gudgeon/model/check_rules.h"
+#include "gudgeon/model/check_fields.h"
 #include "gudgeon/model/cycle_time.h"
 
 namespace gudgeon {
@@ -19,32 +19,6 @@ namespace {
 
 // A cycle time that differs from its driver's by more was not computed from it.
 constexpr double kSameTime = 1e-9;
-
-constexpr ParameterRange from_to(double minimum, double maximum) { return {minimum, maximum, false, false}; }
-// Below 1e-15 nothing is left of a double; above 1e-2 nothing of the motion.
-constexpr ParameterRange kTolerance{1e-15, 1e-2};
-
-void check_values(CheckRules& rules) {
-  const Study& study = rules.study;
-  const auto count = [&](const char* key, int value, const ParameterRange& range) {
-    const auto number = static_cast<double>(value);
-    rules.check_range("E-STUDY-005", {"study", fmt::format("study.{}", key), number, dimension::kNone}, range);
-  };
-  const auto quantity = [&](const char* key, double value, Dimension dimension, const ParameterRange& range) {
-    rules.check_range("E-STUDY-006", {"study", fmt::format("study.{}", key), value, dimension}, range);
-  };
-  count("cycles", study.cycles, from_to(1, kUnbounded));
-  count("warm_up_cycles", study.warm_up_cycles, kNotNegative);
-  count("wear_stages", study.wear_stages, kNotNegative);
-  count("cells", study.cells, from_to(10, 1e6));
-  count("outputs_per_cycle", study.outputs_per_cycle, from_to(1, kUnbounded));
-  quantity("wear_acceleration", study.wear_acceleration, dimension::kNone, kPositive);
-  quantity("relative_tolerance", study.relative_tolerance, dimension::kNone, kTolerance);
-  quantity("absolute_tolerance", study.absolute_tolerance, dimension::kNone, kTolerance);
-  quantity("max_step", study.max_step, dimension::kTime, kNotNegative);
-  quantity("baumgarte_alpha", study.baumgarte_alpha, dimension::kPerTime, kNotNegative);
-  quantity("baumgarte_beta", study.baumgarte_beta, dimension::kPerTime, kNotNegative);
-}
 
 /// Demands that a named cycle driver is there, is an angle, and turns.
 bool check_cycle_driver(CheckRules& rules) {
@@ -224,7 +198,7 @@ void check_ideal_friction(CheckRules& rules) {
 
 void check_study(CheckRules& rules) {
   check_ideal_friction(rules);
-  check_values(rules);
+  FieldCheck(rules, "study", "study").check(rules.study);
   check_cycle(rules);
   check_wear(rules);
   const StudySize size = find_size(rules.mechanism, rules.study);

@@ -18,26 +18,11 @@ int find_named(const std::vector<Named>& items, std::string_view name) {
 
 template <class Kind>
 AnyJoint make_ideal(const Kind& kind) {
-  return kind;
-}
-
-AnyJoint make_ideal(const RevoluteClearance& kind) { return Revolute{kind.bearing, kind.journal}; }
-
-AnyJoint make_ideal(const PrismaticClearance& kind) {
-  return Prismatic{kind.bearing, kind.journal, kind.direction, kind.relative_angle, {}, {}, {}};
-}
-
-AnyJoint make_ideal(const PinInSlotClearance& kind) { return PinInSlot{kind.bearing, kind.journal, kind.direction}; }
-
-// What rubs there: the pin, the block between its outer points of contact, the pin in its slot.
-JointFriction make_friction(const RevoluteClearance& kind) {
-  return {kind.contact.friction, kind.bearing_radius - kind.radial_clearance, 0.0, 0.0};
-}
-JointFriction make_friction(const PrismaticClearance& kind) {
-  return {kind.contact.friction, 0.0, kind.journal_length - 2.0 * kind.corner_radius, kind.journal_height};
-}
-JointFriction make_friction(const PinInSlotClearance& kind) {
-  return {kind.contact.friction, kind.journal_radius, 0.0, 0.0};
+  if constexpr (ClearanceJoint<Kind>) {
+    return kind.make_ideal();
+  } else {
+    return kind;
+  }
 }
 
 }  // namespace
@@ -68,7 +53,7 @@ Mechanism make_ideal_with_friction(const Mechanism& mechanism) {
             if (std::holds_alternative<Frictionless>(kind.contact.friction)) return;
             std::visit(
                 [&](auto& joint) {
-                  if constexpr (requires { joint.friction; }) joint.friction = make_friction(kind);
+                  if constexpr (requires { joint.friction; }) joint.friction = kind.make_friction();
                 },
                 ideal.joints[j].kind);
           }

@@ -9,6 +9,7 @@
 
 #include "gudgeon/model/body.h"
 #include "gudgeon/model/driver.h"
+#include "gudgeon/model/field.h"
 #include "gudgeon/model/joint.h"
 #include "gudgeon/model/load.h"
 
@@ -22,6 +23,15 @@ struct Mechanism {
   std::vector<Joint> joints;
   std::vector<Driver> drivers;
   std::vector<Load> loads;
+
+  /// Besides its sections.
+  static constexpr std::string_view kMeaning = "the mechanism";
+  static constexpr auto kFields = std::tuple{
+      field("name", &Mechanism::name, {.required = true, .meaning = "of the model; run files are called by it"}),
+      field("description", &Mechanism::description, {.meaning = "what it is"}),
+      field("gravity", &Mechanism::gravity,
+            {.dimension = dimension::kAcceleration, .symbol = "g", .meaning = "x and y, in the frame's axes"}),
+  };
 };
 
 /// Index of the body of that name, or -1.

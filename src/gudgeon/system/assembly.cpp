@@ -142,7 +142,7 @@ class Assembler {
     for (int s = 0; s < counts.n_free_slides; ++s) {
       if (const int joint = topology_.free_slide_joint[s]; joint >= 0) {
         q(counts.n_free_turns + s) =
-            std::get<Prismatic>(mechanism_.joints[joint].kind).start_displacement.value_or(0.0);
+            std::get<Prismatic>(mechanism_.joints[joint].kind).start.displacement.value_or(0.0);
       }
     }
     closer_.update();

@@ -33,7 +33,7 @@ Mechanism hold_at_rest(const Mechanism& mechanism) {
   }
   for (Body& body : held.bodies) body.start.angle_rate.reset(), body.start.velocity.reset();
   for (Joint& joint : held.joints) {
-    if (auto* slide = std::get_if<Prismatic>(&joint.kind)) slide->start_speed.reset();
+    if (auto* slide = std::get_if<Prismatic>(&joint.kind)) slide->start.speed.reset();
   }
   return held;
 }

@@ -124,7 +124,7 @@ constexpr StartNames kRates{"angle_rate", "angle rate", "velocity", "velocity", 
 
 std::vector<GivenStart> list_given(const Mechanism& mechanism, const StartNames& names,
                                    std::optional<double> BodyStart::*angle, std::optional<Vec2> BodyStart::*place,
-                                   std::optional<double> Prismatic::*slide) {
+                                   std::optional<double> SlideStart::*slide) {
   using Kind = GivenStart::Kind;
   std::vector<GivenStart> given;
   for (std::size_t b = 1; b < mechanism.bodies.size(); ++b) {
@@ -142,8 +142,8 @@ std::vector<GivenStart> list_given(const Mechanism& mechanism, const StartNames&
   for (std::size_t j = 0; j < mechanism.joints.size(); ++j) {
     const Joint& joint = mechanism.joints[j];
     const auto* guide = std::get_if<Prismatic>(&joint.kind);
-    if (guide == nullptr || !(guide->*slide)) continue;
-    given.push_back({Kind::displacement, static_cast<int>(j), *(guide->*slide),
+    if (guide == nullptr || !(guide->start.*slide)) continue;
+    given.push_back({Kind::displacement, static_cast<int>(j), *(guide->start.*slide),
                      fmt::format("joints.{}.start.{}", joint.name, names.slide_key),
                      fmt::format("joint '{}': its start {}", joint.name, names.slide)});
   }
@@ -153,11 +153,11 @@ std::vector<GivenStart> list_given(const Mechanism& mechanism, const StartNames&
 }  // namespace
 
 std::vector<GivenStart> list_given_positions(const Mechanism& mechanism) {
-  return list_given(mechanism, kPositions, &BodyStart::angle, &BodyStart::position, &Prismatic::start_displacement);
+  return list_given(mechanism, kPositions, &BodyStart::angle, &BodyStart::position, &SlideStart::displacement);
 }
 
 std::vector<GivenStart> list_given_rates(const Mechanism& mechanism) {
-  return list_given(mechanism, kRates, &BodyStart::angle_rate, &BodyStart::velocity, &Prismatic::start_speed);
+  return list_given(mechanism, kRates, &BodyStart::angle_rate, &BodyStart::velocity, &SlideStart::speed);
 }
 
 }  // namespace gudgeon
