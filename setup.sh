@@ -8,12 +8,12 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build pkg-config dpkg-dev file
-  libeigen3-dev libboost-dev libmuparser-dev libtomlplusplus-dev libfmt-dev libcli11-dev libhdf5-dev libsundials-dev
+  libeigen3-dev libboost-dev libmuparser-dev libtomlplusplus-dev libfmt-dev libcli11-dev nlohmann-json3-dev libhdf5-dev libsundials-dev
   libxsimd-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   clang libclang-rt-dev
   chromium fonts-dejavu-core librsvg2-bin
-  hdf5-tools netcdf-bin python3-h5py
+  hdf5-tools netcdf-bin python3-h5py python3-jsonschema
 )
 
 if [[ "${1:-}" == --all ]]; then

@@ -78,12 +78,18 @@ add_custom_command(OUTPUT ${shell_files}
   COMMAND bash ${script} $<TARGET_FILE:gudgeon> ${PROJECT_BINARY_DIR}/packaging
   DEPENDS gudgeon ${script} ${scripts}
   COMMENT "Writing manual page and completions" VERBATIM)
-add_custom_target(gudgeon_package ALL DEPENDS ${shell_files})
+set(schema ${PROJECT_BINARY_DIR}/packaging/model.schema.json)
+add_custom_command(OUTPUT ${schema}
+  COMMAND bash -c "\"$1\" keys --schema > \"$2\"" bash $<TARGET_FILE:gudgeon> ${schema}
+  DEPENDS gudgeon
+  COMMENT "Writing the schema of model files" VERBATIM)
+add_custom_target(gudgeon_package ALL DEPENDS ${shell_files} ${schema})
 add_dependencies(gudgeon_package gudgeon gudgeon_archive)
 install(FILES ${PROJECT_BINARY_DIR}/packaging/gudgeon.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${PROJECT_BINARY_DIR}/packaging/gudgeon.bash RENAME gudgeon
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES ${PROJECT_BINARY_DIR}/packaging/_gudgeon DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/gudgeon)
 install(FILES ${PROJECT_SOURCE_DIR}/packaging/copyright ${PROJECT_SOURCE_DIR}/LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -38,7 +38,7 @@ awk -v prefix="$source_root/" '
     may["app"] = "base geometry laws model system results sim analysis io report"
     # start of a third-party header -> the floors that may include it
     room["hdf5"] = "io"; room["H5"] = "io"; room["toml++/"] = "io"
-    room["CLI/"] = "app"
+    room["CLI/"] = "app"; room["nlohmann/"] = "app"
     room["boost/"] = "base geometry laws system sim"
     room["muParser"] = "base"; room["xsimd/"] = "base"
     room["sundials/"] = "sim"; room["cvode/"] = "sim"; room["nvector/"] = "sim"

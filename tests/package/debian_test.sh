@@ -34,7 +34,8 @@ done
 
 dpkg-deb -x "$package" "$scratch/root"
 for file in bin/gudgeon include/gudgeon/gudgeon.h share/man/man1/gudgeon.1 \
-  share/bash-completion/completions/gudgeon share/zsh/vendor-completions/_gudgeon share/doc/gudgeon/copyright; do
+  share/bash-completion/completions/gudgeon share/zsh/vendor-completions/_gudgeon share/doc/gudgeon/copyright \
+  share/gudgeon/model.schema.json; do
   [[ -s "$scratch/root/usr/$file" ]] || fail "lacks /usr/$file"
 done
 # /usr/lib, or of one architecture, as the build was told

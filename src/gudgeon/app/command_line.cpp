@@ -16,6 +16,7 @@
 #include "gudgeon/app/equilibrium_command.h"
 #include "gudgeon/app/export_command.h"
 #include "gudgeon/app/info_command.h"
+#include "gudgeon/app/keys_command.h"
 #include "gudgeon/app/kinematics_command.h"
 #include "gudgeon/app/laws_command.h"
 #include "gudgeon/app/plot_command.h"
@@ -38,6 +39,7 @@ A first session:
   gudgeon plot runs/press -o figures          its figures for print
   gudgeon info runs/press/base.h5             look at a run again
   gudgeon export runs/press/base.h5 -o csv    its channels as CSV
+  gudgeon keys joints                         what may stand in a model file?
   gudgeon laws friction                       what laws are there?
 
 Any value of the model can be changed from the command line:
@@ -122,6 +124,7 @@ void add_commands(CLI::App& program, Action& action) {
   add_report_command(program, action);
   add_plot_command(program, action);
   add_laws_command(program, action);
+  add_keys_command(program, action);
 }
 
 std::optional<ExitCode> read_command_line(CLI::App& program, int argc, const char* const* argv) {

@@ -13,12 +13,6 @@ namespace gudgeon {
 
 namespace {
 
-struct OldKey {
-  std::string_view table;  // path
-  std::string_view old_key;
-  std::string_view key;
-};
-
 constexpr std::array<OldKey, 4> kOldKeys{{
     {"study", "regions", "cells"},
     {"study", "magnification", "wear_acceleration"},
@@ -47,6 +41,8 @@ DocumentNode::Table* find_table(DocumentNode& node, std::string_view path, std::
 }
 
 }  // namespace
+
+std::span<const OldKey> list_old_keys() { return kOldKeys; }
 
 std::string find_present_path(std::string_view path) {
   for (const OldKey& one : kOldKeys) {

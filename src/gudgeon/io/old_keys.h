@@ -5,6 +5,7 @@
 // reads the document, a path of an override or a run file, so that all other code knows the present names only.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,14 @@
 #include "gudgeon/io/document.h"
 
 namespace gudgeon {
+
+struct OldKey {
+  std::string_view table;  ///< path
+  std::string_view old_key;
+  std::string_view key;
+};
+/// All of them.
+std::span<const OldKey> list_old_keys();
 
 /// The path with its old key replaced, "study.cells" for "study.regions"; any other path as it is.
 std::string find_present_path(std::string_view path);
