@@ -84,7 +84,7 @@ Mechanism make_block(double angle, double speed, JointFriction friction, Vec2 ce
   Mechanism mechanism = make_empty("block", {0.0, -kFall}, {{"foot", {0.1, 0.2}}});
   mechanism.bodies.push_back({"block", 3.0, 0.01, center, {{"middle", {}}, {"side", {0.02, 0.08}}}, {}});
   Prismatic guide = oracle::make_slide({kFrameName, "foot"}, {"block", "middle"}, angle, 0.0, 0.0);
-  guide.start_speed = speed;
+  guide.start.speed = speed;
   guide.friction = friction;
   mechanism.joints.push_back({"guide", guide});
   return mechanism;

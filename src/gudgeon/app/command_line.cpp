@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gudgeon/app/check_command.h"
+#include "gudgeon/app/diagnostics_command.h"
 #include "gudgeon/app/draw_command.h"
 #include "gudgeon/app/equilibrium_command.h"
 #include "gudgeon/app/export_command.h"
@@ -125,6 +126,7 @@ void add_commands(CLI::App& program, Action& action) {
   add_plot_command(program, action);
   add_laws_command(program, action);
   add_keys_command(program, action);
+  add_diagnostics_command(program, action);
 }
 
 std::optional<ExitCode> read_command_line(CLI::App& program, int argc, const char* const* argv) {
