@@ -11,7 +11,8 @@ namespace gudgeon {
 
 /// The page docs/guide/diagnostics.md.
 std::string render_diagnostics_page();
-/// The one of a code, or all whose code begins so, "E-NUM", for a terminal; all when it is empty, nothing when none does.
+/// The one of a code, or all whose code begins so, "E-NUM", for a terminal; all when it is empty, nothing when none
+/// does.
 std::string render_diagnostics(std::string_view code);
 
 }  // namespace gudgeon

@@ -49,6 +49,7 @@ Json quantity(const ParameterRange& range) {
 Json function() { return {{"anyOf", {quantity({}), reference_to("curve")}}}; }
 
 Json table_of(const std::vector<KeyEntry>& keys);
+Json law_of(std::string_view family, const std::vector<KeyEntry>& more);
 
 Json value_of(const KeyEntry& entry) {
   switch (entry.kind) {
@@ -85,7 +86,7 @@ Json value_of(const KeyEntry& entry) {
     case ValueKind::points:
       return named(pair_of(quantity({})));
     case ValueKind::law:
-      return reference_to(entry.keys.empty() ? entry.of : "total_" + entry.of);
+      return entry.keys.empty() ? reference_to(entry.of) : law_of(entry.of, entry.keys);
     case ValueKind::table:
       return table_of(entry.keys);
     case ValueKind::array_of_tables:
@@ -176,7 +177,7 @@ Json one_of(const Json& tables, const std::string& key) {
 
 /// A law of a family by its name, with the keys that the caller reads from the same table.
 template <class Any>
-Json law_of(const std::vector<KeyEntry>& more = {}) {
+Json law_of(const std::vector<KeyEntry>& more) {
   Json laws = Json::array();
   for_each_alternative<Any>([&]<class Law>() {
     Json schema = empty_table();
@@ -203,16 +204,17 @@ Json law_of(const std::vector<KeyEntry>& more = {}) {
   return one_of(laws, "law");
 }
 
+Json law_of(std::string_view family, const std::vector<KeyEntry>& more) {
+  if (family == "normal_force") return law_of<AnyNormalForce>(more);
+  if (family == "damping") return law_of<AnyDamping>(more);
+  return family == "friction" ? law_of<AnyFriction>(more) : law_of<AnyWear>(more);
+}
+
 Json definitions(const std::vector<KeyTable>& tables) {
-  Json all{{"normal_force", law_of<AnyNormalForce>()},
-           {"damping", law_of<AnyDamping>()},
-           {"friction", law_of<AnyFriction>()},
-           {"wear", law_of<AnyWear>()}};
+  Json all;
+  for (const char* family : {"normal_force", "damping", "friction", "wear"}) all[family] = law_of(family, {});
   for (const KeyTable& table : tables) {
     if (table.section == "curve") all["curve"] = table_of(table);
-    for (const KeyEntry& entry : table.keys) {
-      if (entry.kind == ValueKind::law && !entry.keys.empty()) all["total_" + entry.of] = law_of<AnyWear>(entry.keys);
-    }
   }
   return all;
 }

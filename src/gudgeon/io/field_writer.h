@@ -65,7 +65,8 @@ class FieldWriter {
   void write_field(const Field<Owner, std::optional<JointFriction>>& one, const Owner& owner) {
     const std::optional<JointFriction>& friction = owner.*one.member;
     if (friction) {
-      out_.line(one.key, fmt::format("{{ {}, {} }}", entries_of(friction->law), entries_of(Owner::kFrictionFields, *friction)));
+      out_.line(one.key,
+                fmt::format("{{ {}, {} }}", entries_of(friction->law), entries_of(Owner::kFrictionFields, *friction)));
     }
   }
   template <class Owner, class Value>
@@ -147,7 +148,8 @@ class FieldWriter {
         []<class Law>(const Law& law) {
           std::string entries = fmt::format("law = \"{}\"", Law::kName);
           for (const Parameter<Law>& parameter : Law::kParameters) {
-            entries += fmt::format(", {} = {}", parameter.key, toml_quantity(law.*parameter.member, parameter.dimension));
+            entries +=
+                fmt::format(", {} = {}", parameter.key, toml_quantity(law.*parameter.member, parameter.dimension));
           }
           if constexpr (NestsDamping<Law>) entries += fmt::format(", damping = {{ {} }}", entries_of(law.damping));
           return entries;

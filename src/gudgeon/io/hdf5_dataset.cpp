@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kChunkRows = 16384;      // 128 KiB of doubles: well inside HDF5's chunk cache of 1 MiB
 constexpr std::size_t kMostCompact = 1024;     // [bytes] that an object's header holds with no index to them
 constexpr std::size_t kLongText = 32768;       // [bytes] HDF5 has no room for 64 KiB in a header
-constexpr std::size_t kLeastDeflated = 4096;  // [bytes] a smaller chunk takes as long to begin as to deflate
+constexpr std::size_t kLeastDeflated = 4096;   // [bytes] a smaller chunk takes as long to begin as to deflate
 constexpr unsigned kDeflateLevel = 1;          // after shuffle, higher levels cost much time and gain little
 constexpr std::uint64_t kMostDeflated = 1032;  // how many times smaller deflate makes anything
 

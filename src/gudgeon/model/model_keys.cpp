@@ -147,6 +147,15 @@ KeyEntry describe_field(const Field<Owner, Value>& one, const Owner& owner) {
   return entry;
 }
 
+/// A law, with the sizes that a joint of that type has beside it.
+template <class Owner>
+KeyEntry describe_field(const Field<Owner, std::optional<JointFriction>>& one, const Owner& /*owner*/) {
+  KeyEntry entry = make_entry(one.key, one.traits);
+  describe_law("friction", one.traits.absent, entry);
+  add_keys(Owner::kFrictionFields, JointFriction{}, entry.keys);
+  return entry;
+}
+
 template <class Owner, class Value>
 KeyEntry describe_field(const PairField<Owner, Value>& one, const Owner& owner) {
   KeyEntry entry = make_entry(one.key, one.traits);

@@ -11,7 +11,11 @@ namespace gudgeon {
 
 /// A size that may be zero; a joint that can have friction has a table of them, kFrictionFields.
 constexpr FieldTraits friction_size(std::string_view symbol, std::string_view meaning) {
-  return {.dimension = dimension::kLength, .symbol = symbol, .range = kNotNegative, .code = "E-MODEL-012", .meaning = meaning};
+  return {.dimension = dimension::kLength,
+          .symbol = symbol,
+          .range = kNotNegative,
+          .code = "E-MODEL-012",
+          .meaning = meaning};
 }
 
 /// Friction in an ideal joint, by a law and what the force that the joint carries acts on (docs/theory/friction.md).

@@ -51,7 +51,8 @@ struct Prismatic {
       field("relative_angle", &Prismatic::relative_angle,
             {.dimension = dimension::kAngle, .meaning = "of the second body against the first"}),
       field("start", &Prismatic::start, {.meaning = "where the slide is at the start"}),
-      field("friction", &Prismatic::friction, {.absent = "none", .meaning = "by the force and moment that the joint carries"}),
+      field("friction", &Prismatic::friction,
+            {.absent = "none", .meaning = "by the force and moment that the joint carries"}),
   };
 };
 
