@@ -23,6 +23,14 @@ TEST(JointFrictionFile, ABlockStopsWhereItsEnergyIsSpent) {
   EXPECT_THAT(read_text(folder.path() / "csv" / "ideal_channels.csv"), HasSubstr("\n1,0.2038736"));
 }
 
+TEST(JointFrictionFile, ChecksTableNamesTheLaw) {
+  const TemporaryFolder folder;
+  const Outcome ideal = run_program(folder, {"check", find_case("friction_stops_block")});
+  EXPECT_THAT(ideal.out, ContainsRegex("G +prismatic .*coulomb_ramp"));
+  const Outcome contact = run_program(folder, {"check", find_slider_crank()});
+  EXPECT_THAT(contact.out, ContainsRegex("pin +revolute_clearance .*coulomb_smooth"));
+}
+
 TEST(JointFrictionFile, AJammedGuideIsNamedWithItsTime) {
   const TemporaryFolder folder;
   const Outcome run = run_program(folder, {"run", find_case("friction_jams_guide")});

@@ -25,6 +25,15 @@ std::string play_text(const AnyJoint& joint) {
   return fmt::format("{:.6g} mm {}", find_clearance(joint) / kMillimeter, round ? "radial" : "a side");
 }
 
+/// "coulomb_smooth" of an ideal joint that rubs, or of a contact; nothing without friction.
+std::string friction_text(const AnyJoint& joint) {
+  const JointFriction* ideal = find_friction(joint);
+  const ContactProperties* contact = find_contact(joint);
+  if (ideal == nullptr && contact == nullptr) return {};
+  const AnyFriction& law = ideal != nullptr ? ideal->law : contact->friction;
+  return std::holds_alternative<Frictionless>(law) ? std::string{} : std::string(law_name(law));
+}
+
 std::string function_text(const Function& function, std::string_view unit) {
   if (const auto* constant = std::get_if<double>(&function)) return fmt::format("{:.6g} {}", *constant, unit);
   if (const auto* expression = std::get_if<Expression>(&function)) return expression->text;
@@ -89,11 +98,11 @@ std::string describe_motion(const Driver& driver, double scale, std::string_view
 }  // namespace
 
 std::string render_joints(const Mechanism& mechanism, bool color) {
-  Table table({{"joint"}, {"type"}, {"from"}, {"to"}, {"play"}});
+  Table table({{"joint"}, {"type"}, {"from"}, {"to"}, {"play"}, {"friction"}});
   for (const Joint& joint : mechanism.joints) {
     const auto [first, second] = anchors(joint.kind);
     table.add_row({joint.name, std::string(joint_type(joint.kind)), point_text(first), point_text(second),
-                   play_text(joint.kind)});
+                   play_text(joint.kind), friction_text(joint.kind)});
   }
   return table.empty() ? std::string{} : render_title("Joints", color) + table.render(color);
 }
