@@ -18,7 +18,7 @@ enum class Names { nothing, body, joint, driver, channel };
 
 /// What is known of a key besides what it is stored in.
 struct FieldTraits {
-  bool required = false;                  ///< else what a default-constructed owner has holds when it is absent
+  bool required = false;                  ///< otherwise the value of a default-constructed owner holds
   std::string_view unless = {};           ///< key that takes the place of a required one
   Dimension dimension = {};               ///< of its numbers
   std::string_view symbol = {};           ///< in formulas
