@@ -49,7 +49,7 @@ inline void add_revolute(Mechanism& mechanism, std::string name, Anchor first, A
 }
 
 inline Prismatic make_slide(Anchor first, Anchor second, double direction, double relative_angle, double displacement) {
-  return {std::move(first), std::move(second), direction, relative_angle, displacement, std::nullopt};
+  return {std::move(first), std::move(second), direction, relative_angle, {displacement, std::nullopt}};
 }
 
 }  // namespace gudgeon::oracle
