@@ -44,6 +44,14 @@ TEST(KeysCommand, SuggestsTheNearestName) {
   EXPECT_THAT(outcome.err, HasSubstr("Did you mean 'relative_tolerance'?"));
 }
 
+TEST(KeysCommand, LeadsOnToLawsPathsAndPresentNames) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(run_program(folder, {"keys", "lugre"}).err, HasSubstr("`gudgeon laws` has the laws and their keys"));
+  EXPECT_THAT(run_program(folder, {"keys", "kinetic_coefficient"}).err, HasSubstr("`gudgeon laws` has"));
+  EXPECT_THAT(run_program(folder, {"keys", "regions"}).err, HasSubstr("an old name of 'cells'"));
+  EXPECT_THAT(run_program(folder, {"keys", "study.wear_stages"}).out, HasSubstr("how often the surfaces are rebuilt"));
+}
+
 TEST(KeysCommand, TakesOneFormAtATime) {
   const TemporaryFolder folder;
   EXPECT_EQ(run_program(folder, {"keys", "--schema", "--markdown"}).exit_code, 2);

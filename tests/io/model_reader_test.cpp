@@ -244,7 +244,8 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"\"revolute\"", "\"revolut\"",
                 "possible: revolute, prismatic, pin_in_slot, rigid, revolute_clearance, prismatic_clearance, "
                 "pin_in_slot_clearance   Did you mean"},
-        Spoiled{"\"archard\"", "\"archrd\"", "unknown law 'archrd'"},
+        Spoiled{"\"revolute\"", "\"\"", "unknown type ''"},
+        Spoiled{"\"archard\"", "\"archrd\"", "unknown law 'archrd'"}, Spoiled{"\"archard\"", "\"\"", "unknown law ''"},
         Spoiled{"static_coefficient = 0.15, ", "", "static_coefficient is missing"},
         Spoiled{"static_coefficient = 0.15", "static_coefficient = -1",
                 "static_coefficient is -1; it must be not negative"},

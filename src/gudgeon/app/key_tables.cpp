@@ -12,6 +12,7 @@
 #include "gudgeon/app/interval_text.h"
 #include "gudgeon/base/quantity.h"
 #include "gudgeon/model/model_keys.h"
+#include "gudgeon/report/table.h"
 
 namespace gudgeon {
 
@@ -119,7 +120,7 @@ std::string render_keys_page() {
   std::string text =
       "# Keys of a model file\n\nEvery key, made from the tables that the reader itself walks by `gudgeon keys "
       "--markdown`. How values are written and what they do is\nin [The model file](model_file.md). Ranges are "
-      "intervals: `(` and `)` leave their end out. A key with a symbol has it behind it.\n";
+      "intervals: `(` and `)` leave their end out. Behind a key stands its symbol in formulas, if it has one.\n";
   std::string heading;
   for (const KeyTable& table : list_model_keys()) {
     if (heading_of(table) != heading) text += fmt::format("\n## {}\n", heading_of(table));
@@ -143,12 +144,13 @@ std::string render_keys(std::string_view name) {
     if (!whole && !has_key(table.keys, name)) continue;
     text += fmt::format("{}{}{}: {}\n", text.empty() ? "" : "\n", heading_of(table),
                         table.type.empty() ? "" : fmt::format(" type = \"{}\"", table.type), table.meaning);
+    Table rows({{"key"}, {"value"}, {"unit"}, {"range"}, {"default"}, {"meaning"}});
     for (const Row& row : list_rows(table)) {
       // A key's own name, its symbol left out; those within a table count by their last part.
       const std::string key = row[0].substr(0, row[0].find(','));
-      if (!whole && key.substr(key.rfind('.') + 1) != name) continue;
-      text += fmt::format("    {:<22} {:<30} {:<9} {:<12} {:<22} {}\n", row[0], row[1], row[2], row[3], row[4], row[5]);
+      if (whole || key.substr(key.rfind('.') + 1) == name) rows.add_row({row.begin(), row.end()});
     }
+    text += rows.render(false);
   }
   return text;
 }

@@ -10,11 +10,37 @@
 #include <string>
 
 #include "gudgeon/app/key_tables.h"
+#include "gudgeon/app/law_tables.h"
 #include "gudgeon/app/model_schema.h"
 #include "gudgeon/app/text_output.h"
 #include "gudgeon/base/diagnostics.h"
+#include "gudgeon/io/old_keys.h"
 
 namespace gudgeon {
+
+namespace {
+
+bool is_law_parameter(const std::string& name) {
+  if (name == "law") return true;
+  for (const LawEntry& law : list_laws()) {
+    for (const auto& row : law.parameters) {
+      if (row.front() == name) return true;
+    }
+  }
+  return false;
+}
+
+/// Where a name that is no key leads to: laws have a list of their own, old names a present one.
+std::string find_next_step(const std::string& name) {
+  for (const OldKey& old : list_old_keys()) {
+    if (name == old.old_key) return fmt::format(" It is an old name of '{}'.", old.key);
+  }
+  if (!render_laws(name).empty() || is_law_parameter(name)) return " `gudgeon laws` has the laws and their keys.";
+  const std::string suggestion = suggest(name, list_key_names());
+  return suggestion.empty() ? "" : " " + suggestion;
+}
+
+}  // namespace
 
 void add_keys_command(CLI::App& program, Action& action) {
   struct Options {
@@ -39,9 +65,10 @@ void add_keys_command(CLI::App& program, Action& action) {
       std::string text = options->markdown ? render_keys_page() : "";
       if (options->schema) text = render_model_schema();
       if (text.empty()) text = render_keys(options->name);
+      if (text.empty()) text = render_keys(options->name.substr(options->name.rfind('.') + 1));
       if (text.empty()) {
-        write_stderr(fmt::format("gudgeon: no section, type or key has the name '{}'. {}\n", options->name,
-                                 suggest(options->name, list_key_names())));
+        write_stderr(fmt::format("gudgeon: no section, type or key has the name '{}'.{}\n", options->name,
+                                 find_next_step(options->name)));
         return ExitCode::usage;
       }
       write_stdout(text);

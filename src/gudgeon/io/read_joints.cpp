@@ -12,7 +12,7 @@ namespace gudgeon {
 namespace {
 
 std::optional<AnyJoint> read_kind(TableReader& table, const SharedTables& shared) {
-  const std::string type = table.read_text("type");
+  const std::optional<std::string> type = table.read_name("type");
   std::optional<AnyJoint> joint;
   std::vector<std::string> types;
   for_each_alternative<AnyJoint>([&]<class Kind>() {
@@ -22,7 +22,7 @@ std::optional<AnyJoint> read_kind(TableReader& table, const SharedTables& shared
     FieldReader(table, shared).read(kind);
     joint = std::move(kind);
   });
-  if (!joint && !type.empty()) table.report_unknown_choice("type", type, types);
+  if (!joint && type) table.report_unknown_choice("type", *type, types);
   return joint;
 }
 

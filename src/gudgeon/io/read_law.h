@@ -19,7 +19,7 @@ namespace gudgeon {
 template <class AnyLaw>
 AnyLaw read_law(TableReader& table) {
   AnyLaw any;
-  const std::string name = table.read_text("law");
+  const std::optional<std::string> name = table.read_name("law");
   bool found = false;
   std::vector<std::string> names;
   for_each_alternative<AnyLaw>([&]<class Law>() {
@@ -41,7 +41,7 @@ AnyLaw read_law(TableReader& table) {
     any = law;
   });
   if (found) return any;
-  if (!name.empty()) table.report_unknown_choice("law", name, names);
+  if (name) table.report_unknown_choice("law", *name, names);
   // Which other keys are right depends on the law, so none is called wrong.
   for (const DocumentEntry& entry : table.entries()) table.find(entry.key);
   return any;

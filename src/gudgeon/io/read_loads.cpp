@@ -39,20 +39,20 @@ AnyLoad simplify(Kind load, const TableReader& /*table*/) {
   return load;
 }
 
-/// The type that is named, or that of a load with a point or a body.
-std::string read_type(TableReader& table) {
-  if (const auto type = table.find_text("type")) return *type;
+/// The type that is named, or that of a load with a point or a body; nothing, reported, where neither tells.
+std::optional<std::string> read_type(TableReader& table) {
+  if (table.has("type")) return table.find_text("type");
   const bool point = table.has("point");
   const bool body = table.has("body");
   if (point && body) table.report("E-FILE-013", "point", "body and point exclude each other");
   if (!point && !body) table.report("E-FILE-002", "body", "body or point is missing");
-  if (point == body) return {};
+  if (point == body) return std::nullopt;
   return point ? "force" : "torque";
 }
 
 std::optional<Load> read_load(const DocumentEntry& entry, ReadLog& log) {
   TableReader table{entry.node, "loads." + entry.key, fmt::format("load '{}'", entry.key), log};
-  const std::string type = read_type(table);
+  const std::optional<std::string> type = read_type(table);
   std::optional<Load> load;
   std::vector<std::string> types;
   for_each_alternative<AnyLoad>([&]<class Kind>() {
@@ -66,8 +66,8 @@ std::optional<Load> read_load(const DocumentEntry& entry, ReadLog& log) {
   });
   if (load) {
     table.check_unknown_keys();
-  } else if (!type.empty()) {
-    table.report_unknown_choice("type", type, types);
+  } else if (type) {
+    table.report_unknown_choice("type", *type, types);
   }
   return load;
 }

@@ -118,6 +118,10 @@ std::string TableReader::read_text(std::string_view key) {
   return find_required(key) == nullptr ? std::string{} : find_text(key).value_or("");
 }
 
+std::optional<std::string> TableReader::read_name(std::string_view key) {
+  return find_required(key) == nullptr ? std::nullopt : find_text(key);
+}
+
 std::optional<double> TableReader::find_quantity(std::string_view key, Dimension dimension) {
   const DocumentNode* node = find(key);
   if (node == nullptr) return std::nullopt;

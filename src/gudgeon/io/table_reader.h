@@ -58,6 +58,8 @@ class TableReader {
 
   std::optional<std::string> find_text(std::string_view key);
   std::string read_text(std::string_view key);  ///< required
+  /// The same, and nothing where it is missing or no text, which has been reported.
+  std::optional<std::string> read_name(std::string_view key);
   std::optional<double> find_quantity(std::string_view key, Dimension dimension);
   double read_quantity(std::string_view key, Dimension dimension);  ///< required; NaN when it cannot be read
   std::optional<Vec2> find_vector(std::string_view key, Dimension dimension);

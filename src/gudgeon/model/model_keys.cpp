@@ -277,7 +277,7 @@ KeyTable make_cases() {
           false,
           "a variant of the model",
           {make_key("description", ValueKind::text, "\"\"", "what it is"),
-           make_key("set", ValueKind::overrides, "none", "values by their paths, \"joints.A.width\" = \"20 mm\"")}};
+           make_key("set", ValueKind::overrides, "", "values by their paths, \"joints.A.width\" = \"20 mm\"")}};
 }
 
 }  // namespace

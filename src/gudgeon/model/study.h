@@ -134,7 +134,7 @@ struct Study {
             {.meaning = "of a step's worn volume: over the contact arc, or into the cell of the contact point"}),
       field("compare_ideal", &Study::compare_ideal, {.meaning = "also run the mechanism with ideal joints"}),
       field("ideal_friction", &Study::ideal_friction,
-            {.meaning = "which then have the friction of the contacts that they replace"}),
+            {.meaning = "which then have the friction of the contacts that they replace, on the journal's sizes"}),
       field("outputs_per_cycle", &Study::outputs_per_cycle, count_from(1, "recorded samples per cycle")),
       field(
           "relative_tolerance", &Study::relative_tolerance,

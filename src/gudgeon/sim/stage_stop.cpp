@@ -42,7 +42,7 @@ bool StageRun::fail_jammed() {
   const int joint = find_jammed_joint(motion_.time(), motion_.find_smallest_step(), motion_.y(), motion_.equations());
   if (joint < 0) return false;
   stop("E-NUM-013", fmt::format("joint '{}' jams: no acceleration, or more than one, agrees with its friction; a "
-                                "smaller coefficient, a longer guide or a force nearer to its line keep it free",
+                                "smaller coefficient, a thinner pin, a longer guide or a force nearer to its line keep it free",
                                 system_.mechanism.joints[joint].name));
   return true;
 }

@@ -53,6 +53,18 @@ bool follows_open_reaction(const FrictionJoint& joint, const JointReaction& open
   return std::max(openness.force.x, openness.force.y) > kOpen || (tilts && openness.moment > kOpen);
 }
 
+/// A law without any coefficient above zero, as a sweep of one begins with.
+bool never_rubs(const AnyFriction& any) {
+  return std::visit(
+      []<class Law>(const Law& law) {
+        return std::ranges::all_of(Law::kParameters, [&](const Parameter<Law>& parameter) {
+          const bool is_coefficient = parameter.symbol.starts_with("μ") || parameter.symbol == "σ₂";
+          return !is_coefficient || law.*parameter.member == 0.0;
+        });
+      },
+      any);
+}
+
 // Where constraints imply each other the joints' elasticity decides what each of them carries, and rubs with.
 void require_unique_reactions(const System& system, const Workspace& workspace) {
   if (system.tables.friction_joints.empty()) return;
@@ -67,7 +79,7 @@ void require_unique_reactions(const System& system, const Workspace& workspace) 
   }
   Diagnostics diagnostics;
   for (const FrictionJoint& joint : system.tables.friction_joints) {
-    if (!follows_open_reaction(joint, openness[joint.joint])) continue;
+    if (never_rubs(joint.friction.law) || !follows_open_reaction(joint, openness[joint.joint])) continue;
     const std::string& name = system.mechanism.joints[joint.joint].name;
     diagnostics.error("E-MODEL-092", "joints." + name + ".friction",
                       fmt::format("joint '{}' has friction, and the force that it carries is not determined: the "
@@ -93,11 +105,12 @@ void require_accelerations(const Mechanism& mechanism, const Assembly& assembly)
   Diagnostics diagnostics;
   if (!(workspace.friction_margin > 0.0)) {
     const std::string& joint = mechanism.joints[workspace.friction_joint].name;
-    diagnostics.error("E-MODEL-093", "joints." + joint + ".friction",
-                      fmt::format("joint '{}' jams at the start: no acceleration, or more than one, agrees with its "
-                                  "friction",
-                                  joint),
-                      {"a smaller coefficient, a longer guide or a force nearer to its line keep it free"});
+    diagnostics.error(
+        "E-MODEL-093", "joints." + joint + ".friction",
+        fmt::format("joint '{}' jams at the start: no acceleration, or more than one, agrees with its "
+                    "friction",
+                    joint),
+        {"a smaller coefficient, a thinner pin, a longer guide or a force nearer to its line keep it free"});
     throw ModelError(diagnostics);
   }
   const int massless = find_massless(system, workspace);

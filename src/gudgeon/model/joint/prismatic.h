@@ -41,7 +41,9 @@ struct Prismatic {
       "a guide: the second point slides along a line through the first, the bodies keep their relative angle";
   static constexpr auto kFrictionFields = std::tuple{
       field("guide_length", &JointFriction::guide_length,
-            friction_size("L", "over which block and guide touch, about the second point; 0: moments do not press")),
+            friction_size(
+                "L",
+                "over which guide and block, the second body, touch, about the second point; 0: moments do not press")),
       field("guide_height", &JointFriction::guide_height, friction_size("h", "of the block across its guide")),
   };
   static constexpr auto kFields = std::tuple{
