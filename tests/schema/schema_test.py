@@ -111,13 +111,13 @@ def try_defaults(file, model):
 
 
 for file in sorted([*source.glob("examples/**/*.toml"), *source.glob("tests/**/*.toml")]):
-    if run("check", str(file)).returncode:
+    check = run("check", "--resolved", str(file))
+    if check.returncode:
         continue
     model = tomllib.loads(file.read_text())
     demand_valid(model, file)
     n_checks["files"] += 1
-    printed = run("check", "--resolved", str(file)).stdout
-    resolved = printed[printed.index("\nname = ") :]  # notes on the model stand before it
+    resolved = check.stdout[check.stdout.index("\nname = ") :]  # notes on the model stand before it
     demand_valid(tomllib.loads(resolved), f"the resolved model of {file}")
     n_checks["resolved"] += 1
     break_tables(model, file.name)
