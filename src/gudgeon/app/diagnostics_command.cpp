@@ -40,13 +40,8 @@ void add_diagnostics_command(CLI::App& program, Action& action) {
   command->callback([options, &action] {
     action = [options] {
       const std::string text = options->markdown ? render_diagnostics_page() : render_diagnostics(options->code);
-      if (text.empty()) {
-        write_stderr(
-            fmt::format("gudgeon: no diagnostic has the code '{}'. {}\n", options->code, suggest_code(options->code)));
-        return ExitCode::usage;
-      }
-      write_stdout(text);
-      return ExitCode::done;
+      return print_listing(text, fmt::format("no diagnostic has the code '{}'.", options->code),
+                           suggest_code(options->code));
     };
   });
 }

@@ -33,11 +33,10 @@ bool is_law_parameter(const std::string& name) {
 /// Where a name that is no key leads to: laws have a list of their own, old names a present one.
 std::string find_next_step(const std::string& name) {
   for (const OldKey& old : list_old_keys()) {
-    if (name == old.old_key) return fmt::format(" It is an old name of '{}'.", old.key);
+    if (name == old.old_key) return fmt::format("It is an old name of '{}'.", old.key);
   }
-  if (!render_laws(name).empty() || is_law_parameter(name)) return " `gudgeon laws` has the laws and their keys.";
-  const std::string suggestion = suggest(name, list_key_names());
-  return suggestion.empty() ? "" : " " + suggestion;
+  if (!render_laws(name).empty() || is_law_parameter(name)) return "`gudgeon laws` has the laws and their keys.";
+  return suggest(name, list_key_names());
 }
 
 }  // namespace
@@ -66,13 +65,8 @@ void add_keys_command(CLI::App& program, Action& action) {
       if (options->schema) text = render_model_schema();
       if (text.empty()) text = render_keys(options->name);
       if (text.empty()) text = render_keys(options->name.substr(options->name.rfind('.') + 1));
-      if (text.empty()) {
-        write_stderr(fmt::format("gudgeon: no section, type or key has the name '{}'.{}\n", options->name,
-                                 find_next_step(options->name)));
-        return ExitCode::usage;
-      }
-      write_stdout(text);
-      return ExitCode::done;
+      return print_listing(text, fmt::format("no section, type or key has the name '{}'.", options->name),
+                           find_next_step(options->name));
     };
   });
 }

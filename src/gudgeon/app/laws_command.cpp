@@ -42,13 +42,7 @@ void add_laws_command(CLI::App& program, Action& action) {
   command->callback([options, &action] {
     action = [options] {
       const std::string text = options->markdown ? render_laws_page() : render_laws(options->name);
-      if (text.empty()) {
-        write_stderr(
-            fmt::format("gudgeon: unknown law or family '{}'. {}\n", options->name, suggest_law(options->name)));
-        return ExitCode::usage;
-      }
-      write_stdout(text);
-      return ExitCode::done;
+      return print_listing(text, fmt::format("unknown law or family '{}'.", options->name), suggest_law(options->name));
     };
   });
 }

@@ -79,6 +79,15 @@ bool find_color_wanted() {
   return ::isatty(STDOUT_FILENO) && (no_color == nullptr || *no_color == '\0');
 }
 
+ExitCode print_listing(std::string_view text, std::string_view complaint, std::string_view next_step) {
+  if (!text.empty()) {
+    write_stdout(text);
+    return ExitCode::done;
+  }
+  write_stderr(fmt::format("gudgeon: {}{}{}\n", complaint, next_step.empty() ? "" : " ", next_step));
+  return ExitCode::usage;
+}
+
 void write_stderr(std::string_view text) { write_display(show_controls_but_styles(text)); }
 
 void write_display(std::string_view text) {

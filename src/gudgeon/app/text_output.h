@@ -6,6 +6,8 @@
 
 #include <string_view>
 
+#include "gudgeon/app/exit_code.h"
+
 namespace gudgeon {
 
 /// Puts the null device where standard input, output or error is closed: a file opened later would get its number, and
@@ -18,6 +20,9 @@ void write_stdout(std::string_view text);
 /// The same for what files hold, their paths and summaries; where standard output was closed from the start, nobody
 /// wants it.
 void write_receipt(std::string_view text);
+/// A list that a name chose from. Where it chose nothing the usage is wrong: says so, and the next step if there is
+/// one.
+ExitCode print_listing(std::string_view text, std::string_view complaint, std::string_view next_step);
 /// FileError when standard output takes no more.
 void flush_stdout();
 
