@@ -31,6 +31,19 @@ TEST(JointFrictionFile, ChecksTableNamesTheLaw) {
   EXPECT_THAT(contact.out, ContainsRegex("pin +revolute_clearance .*coulomb_smooth"));
 }
 
+TEST(JointFrictionFile, TheReportNamesTheLaw) {
+  const TemporaryFolder folder;
+  const Outcome run =
+      run_program(folder, {"run", find_slider_crank(), "--output", "runs", "--quiet", "--report", "--set",
+                           "study.cycles=1", "--set", "study.wear_stages=0", "--set", "study.ideal_friction=true",
+                           "--set", "joints.O.friction={law=\"threlfall\", kinetic_coefficient=0.1, pin_radius=0.01}"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string page = read_text(folder.path() / "runs" / "report.html");
+  EXPECT_THAT(page, HasSubstr("Friction in O"));
+  EXPECT_THAT(page, HasSubstr("threlfall"));
+  EXPECT_THAT(page, HasSubstr("with the friction of the contacts that they replace"));
+}
+
 TEST(JointFrictionFile, AJammedGuideIsNamedWithItsTime) {
   const TemporaryFolder folder;
   const Outcome run = run_program(folder, {"run", find_case("friction_jams_guide")});

@@ -77,20 +77,39 @@ std::string describe_joint(const Joint& joint) {
   return std::string(joint_type(joint.kind));
 }
 
-/// One entry for all joints that are alike.
-std::vector<NamedText> describe_clearances(const Mechanism& mechanism) {
-  std::vector<NamedText> facts;  // names of joints, and what they are
-  for (const Joint& joint : mechanism.joints) {
-    if (!has_clearance(joint.kind)) continue;
-    const std::string text = describe_joint(joint);
-    const auto alike = std::ranges::find(facts, text, &NamedText::second);
-    if (alike == facts.end()) {
-      facts.emplace_back("Clearance in " + joint.name, text);
+/// One entry for all joints that are alike: names of joints, and what they are.
+class JointFacts {
+ public:
+  explicit JointFacts(std::string heading) : heading_(std::move(heading)) {}
+
+  void add(const Joint& joint, const std::string& text) {
+    const auto alike = std::ranges::find(facts_, text, &NamedText::second);
+    if (alike == facts_.end()) {
+      facts_.emplace_back(heading_ + joint.name, text);
     } else {
       alike->first += ", " + joint.name;
     }
   }
-  return facts;
+  void move_to(std::vector<NamedText>& facts) { std::ranges::move(facts_, std::back_inserter(facts)); }
+
+ private:
+  std::string heading_;
+  std::vector<NamedText> facts_;
+};
+
+void add_joints(const Mechanism& mechanism, const Study& study, std::vector<NamedText>& facts) {
+  JointFacts clearances("Clearance in ");
+  JointFacts frictions("Friction in ");
+  for (const Joint& joint : mechanism.joints) {
+    if (has_clearance(joint.kind)) clearances.add(joint, describe_joint(joint));
+    const JointFriction* friction = find_friction(joint.kind);
+    if (friction != nullptr) frictions.add(joint, std::string(law_name(friction->law)));
+  }
+  clearances.move_to(facts);
+  frictions.move_to(facts);
+  if (study.compare_ideal && study.ideal_friction) {
+    facts.emplace_back("Ideal joints", "with the friction of the contacts that they replace");
+  }
 }
 
 // What takes the steps, with what takes over from it where contacts make them short.
@@ -133,7 +152,7 @@ std::vector<NamedText> describe_study(const Mechanism& mechanism, const Study& s
                                                     ? format_engineering(driver.speed, turns ? "rad/s" : "m/s")
                                                     : std::string("a motion over time"));
   }
-  std::ranges::move(describe_clearances(mechanism), std::back_inserter(facts));
+  add_joints(mechanism, study, facts);
   facts.emplace_back("Cycle", format_engineering(study.cycle_time, "s"));
   facts.emplace_back("Cycles a stage", fmt::format("{} after {} to warm up", study.cycles, study.warm_up_cycles));
   facts.emplace_back("Wear stages", fmt::format("{}", study.wear_stages));
