@@ -10,6 +10,7 @@
 #include "gudgeon/sim/jammed_joint.h"
 #include "gudgeon/sim/stage_run.h"
 #include "gudgeon/system/body_motion.h"
+#include "gudgeon/system/start_check.h"
 
 namespace gudgeon {
 
@@ -41,9 +42,8 @@ void StageRun::fail_step() {
 bool StageRun::fail_jammed() {
   const int joint = find_jammed_joint(motion_.time(), motion_.find_smallest_step(), motion_.y(), motion_.equations());
   if (joint < 0) return false;
-  stop("E-NUM-013", fmt::format("joint '{}' jams: no acceleration, or more than one, agrees with its friction; a "
-                                "smaller coefficient, a thinner pin, a longer guide or a force nearer to its line keep it free",
-                                system_.mechanism.joints[joint].name));
+  stop("E-NUM-013", fmt::format("joint '{}' jams: no acceleration, or more than one, agrees with its friction; {}",
+                                system_.mechanism.joints[joint].name, kJamAdvice));
   return true;
 }
 

@@ -83,7 +83,7 @@ void FrictionSolver::solve(const Tables& tables, Workspace& workspace) noexcept 
   eval_laws(1.0);
   action_ = law_;
   const bool solved = find_actions(1.0) || follow_actions();
-  find_margin(tables, workspace);
+  find_margin(workspace);
   if (!solved || !(workspace.friction_margin > 0.0)) {
     workspace.friction_margin = std::min(workspace.friction_margin, 0.0);
     std::fill_n(workspace.equations.begin(), tables.n_solve, std::numeric_limits<double>::quiet_NaN());
@@ -123,7 +123,10 @@ bool FrictionSolver::find_slips(const Tables& tables, Workspace& ws) noexcept {
       any = any || friction.coefficient != 0.0;
     }
   }
-  if (!any) action_.setZero(), components_.setZero();
+  if (!any) {
+    action_.setZero();
+    components_.setZero();
+  }
   return any;
 }
 
@@ -315,14 +318,14 @@ bool FrictionSolver::follow_actions() noexcept {
 
 // How much of det(I − A′ C) is left at least, when one joint's reaction takes another direction (Eq. F15): the piece of
 // the laws at hand, and each of its neighbours.
-void FrictionSolver::find_margin(const Tables& tables, Workspace& ws) noexcept {
+void FrictionSolver::find_margin(Workspace& ws) noexcept {
   factor();
   const double determinant = factors_.determinant();
   if (determinant != 0.0) inverse_ = factors_.inverse();
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const double own = determinant == 0.0 ? 0.0 : determinant * find_least_ratio(k);
-    if (!(own >= least)) least = own, ws.friction_joint = tables.friction_joints[k].joint;
+    if (!(own >= least)) least = own, ws.friction_joint = joints_[k].joint;
   }
   ws.friction_margin = least < determinant ? least : determinant;
 }

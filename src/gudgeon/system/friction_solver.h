@@ -49,7 +49,7 @@ class FrictionSolver {
   void eval_law(std::size_t joint, double share) noexcept;
   void factor() noexcept;
   [[nodiscard]] double find_error() const noexcept;
-  void find_margin(const Tables& tables, Workspace& workspace) noexcept;
+  void find_margin(Workspace& workspace) noexcept;
   [[nodiscard]] double find_least_ratio(std::size_t joint) const noexcept;
   void add_solution(const Tables& tables, Workspace& workspace) noexcept;
   void write_forces(const Tables& tables, Workspace& workspace) noexcept;

@@ -105,12 +105,11 @@ void require_accelerations(const Mechanism& mechanism, const Assembly& assembly)
   Diagnostics diagnostics;
   if (!(workspace.friction_margin > 0.0)) {
     const std::string& joint = mechanism.joints[workspace.friction_joint].name;
-    diagnostics.error(
-        "E-MODEL-093", "joints." + joint + ".friction",
-        fmt::format("joint '{}' jams at the start: no acceleration, or more than one, agrees with its "
-                    "friction",
-                    joint),
-        {"a smaller coefficient, a thinner pin, a longer guide or a force nearer to its line keep it free"});
+    diagnostics.error("E-MODEL-093", "joints." + joint + ".friction",
+                      fmt::format("joint '{}' jams at the start: no acceleration, or more than one, agrees with its "
+                                  "friction",
+                                  joint),
+                      {kJamAdvice});
     throw ModelError(diagnostics);
   }
   const int massless = find_massless(system, workspace);
