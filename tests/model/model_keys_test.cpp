@@ -18,7 +18,7 @@ void check_keys(const std::vector<KeyEntry>& keys, const std::string& where) {
     EXPECT_TRUE(seen.insert(entry.key).second) << "stands there twice";
     EXPECT_FALSE(entry.meaning.empty());
     EXPECT_EQ(entry.required, entry.default_text.empty()) << "what is not required has a default";
-    EXPECT_TRUE(!entry.has_default_number || entry.range.contains(entry.default_number));
+    EXPECT_TRUE(!entry.default_number || entry.range.contains(*entry.default_number));
     EXPECT_EQ(entry.kind == ValueKind::choice, !entry.choices.empty());
     EXPECT_EQ(entry.kind == ValueKind::name,
               !entry.of.empty() && entry.kind != ValueKind::law && entry.kind != ValueKind::body_pair);

@@ -109,7 +109,7 @@ Json property_of(const KeyEntry& entry) {
   // What stands beside a reference is not read.
   if (schema.contains("$ref")) schema = {{"allOf", Json::array({schema})}};
   schema["description"] = describe(entry);
-  if (entry.has_default_number) schema["default"] = entry.default_number;
+  if (entry.default_number) schema["default"] = *entry.default_number;
   return schema;
 }
 

@@ -87,7 +87,7 @@ class FieldReader {
     if (table_.has(key)) read_value(key, traits, value.emplace());
   }
   /// A table within.
-  template <Described Value>
+  template <TableWithin Value>
   void read_value(std::string_view key, const FieldTraits& /*traits*/, Value& value) {
     auto within = table_.find_table(key, subject_of(key));
     if (!within) return;

@@ -123,10 +123,8 @@ class FieldWriter {
     return text_of(traits, *value);
   }
   /// A table within, on one line.
-  template <Described Value>
-  requires(!std::same_as<Value, Material> &&
-           !std::same_as<Value, ContactProperties>) std::optional<std::string> text_of(const FieldTraits& /*traits*/,
-                                                                                       const Value& value) {
+  template <TableWithin Value>
+  std::optional<std::string> text_of(const FieldTraits& /*traits*/, const Value& value) {
     const std::string entries = entries_of(Value::kFields, value);
     if (entries.empty()) return std::nullopt;
     return fmt::format("{{ {} }}", entries);

@@ -146,12 +146,11 @@ void check_laws(CheckRules& rules, const ContactProperties& contact, const std::
     std::visit([&](const auto& law) { check_parameters(rules, law, subject + ": " + key, path + "." + key); }, any);
   };
   check_law(contact.normal_force, "normal_force");
-  check_law(contact.friction, "friction");
+  check_friction_law(rules, contact.friction, subject, path);
   check_law(contact.bearing_wear, "bearing_wear");
   check_law(contact.journal_wear, "journal_wear");
   std::visit([&](const auto& law) { remark_restitution(rules, law, subject, path + ".normal_force"); },
              contact.normal_force);
-  std::visit([&](const auto& law) { remark_friction(rules, law, subject, path + ".friction"); }, contact.friction);
 }
 
 }  // namespace

@@ -73,10 +73,8 @@ class FieldCheck {
     if (value) check_value(key, traits, *value);
   }
   /// A table within.
-  void check_value(const std::string& key, const FieldTraits& /*traits*/, const BodyStart& value) {
-    FieldCheck(rules_, subject_, path_ + "." + key).check(value);
-  }
-  void check_value(const std::string& key, const FieldTraits& /*traits*/, const SlideStart& value) {
+  template <TableWithin Value>
+  void check_value(const std::string& key, const FieldTraits& /*traits*/, const Value& value) {
     FieldCheck(rules_, subject_, path_ + "." + key).check(value);
   }
 

@@ -63,6 +63,12 @@ concept Described = requires {
   std::tuple_size<std::remove_cvref_t<decltype(Owner::kFields)>>::value;
 };
 
+/// What stands as a table within its owner's; what has a name stands in a section of its own.
+template <class Value>
+concept TableWithin = Described<Value> && !requires(const Value value) {
+  value.name;
+};
+
 /// Calls visit(field) for each key of a tuple of them, in order.
 template <class Fields, class Visitor>
 constexpr void for_each_field(const Fields& fields, Visitor&& visit) {

@@ -25,7 +25,6 @@ void describe_value(const double& value, KeyEntry& entry) {
   entry.kind = ValueKind::quantity;
   entry.default_text = with_unit(value, entry.dimension);
   entry.default_number = value;
-  entry.has_default_number = true;
 }
 void describe_value(const int& value, KeyEntry& entry) {
   describe_value(static_cast<double>(value), entry);
@@ -82,9 +81,8 @@ void describe_value(const Choice& value, KeyEntry& entry) {
 template <class Fields, class Owner>
 void add_keys(const Fields& fields, const Owner& owner, std::vector<KeyEntry>& keys);
 
-template <class Value>
-requires(std::same_as<Value, BodyStart> || std::same_as<Value, SlideStart>) void describe_value(const Value& value,
-                                                                                                KeyEntry& entry) {
+template <TableWithin Value>
+void describe_value(const Value& value, KeyEntry& entry) {
   entry.kind = ValueKind::table;
   entry.default_text = "none";
   add_keys(Value::kFields, value, entry.keys);
@@ -96,7 +94,7 @@ void describe_value(const std::vector<ReferenceValue>& /*value*/, KeyEntry& entr
 template <class Value>
 void describe_value(const std::optional<Value>& value, KeyEntry& entry) {
   describe_value(value.value_or(Value{}), entry);
-  entry.has_default_number = false;
+  entry.default_number.reset();
 }
 
 void describe_pair(const Anchor& /*first*/, KeyEntry& entry) { entry.kind = ValueKind::point_pair; }
@@ -136,7 +134,7 @@ KeyEntry make_entry(std::string_view key, const FieldTraits& traits) {
 void update_default(const FieldTraits& traits, KeyEntry& entry) {
   if (!traits.required && traits.absent.empty()) return;
   entry.default_text = traits.absent;
-  entry.has_default_number = false;
+  entry.default_number.reset();
 }
 
 template <class Owner, class Value>

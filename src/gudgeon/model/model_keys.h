@@ -5,6 +5,7 @@
 // schema that editors read, for a terminal.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,15 +41,14 @@ struct KeyEntry {
   std::string key;
   ValueKind kind = ValueKind::text;
   bool required = false;
-  std::string unless;         ///< key that takes the place of a required one
-  Dimension dimension;        ///< of its numbers
-  std::string symbol;         ///< in formulas
-  ParameterRange range;       ///< of its numbers
-  std::string default_text;   ///< as the model file would have it, or in words
-  double default_number = 0;  ///< of a quantity or count without words
-  bool has_default_number = false;
-  std::string of;                    ///< what a name names, "body"; the family of a law
-  std::vector<std::string> choices;  ///< of a choice
+  std::string unless;                    ///< key that takes the place of a required one
+  Dimension dimension;                   ///< of its numbers
+  std::string symbol;                    ///< in formulas
+  ParameterRange range;                  ///< of its numbers
+  std::string default_text;              ///< as the model file would have it, or in words
+  std::optional<double> default_number;  ///< of a quantity or count without words
+  std::string of;                        ///< what a name names, "body"; the family of a law
+  std::vector<std::string> choices;      ///< of a choice
   std::string meaning;
   std::vector<KeyEntry> keys;  ///< of a table within
 };
