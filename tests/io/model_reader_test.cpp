@@ -245,6 +245,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "possible: revolute, prismatic, pin_in_slot, rigid, revolute_clearance, prismatic_clearance, "
                 "pin_in_slot_clearance   Did you mean"},
         Spoiled{"\"revolute\"", "\"\"", "unknown type ''"},
+        Spoiled{"[joints.O]\n", "[joints.O]\nbranh = \"left\"\n", "Did you mean 'branch'?"},
         Spoiled{"\"archard\"", "\"archrd\"", "unknown law 'archrd'"}, Spoiled{"\"archard\"", "\"\"", "unknown law ''"},
         Spoiled{"static_coefficient = 0.15, ", "", "static_coefficient is missing"},
         Spoiled{"static_coefficient = 0.15", "static_coefficient = -1",

@@ -84,7 +84,7 @@ class FieldReader {
   template <class Choice>
   requires std::is_enum_v<Choice>
   void read_value(std::string_view key, const FieldTraits& traits, std::optional<Choice>& value) {
-    if (table_.has(key)) read_value(key, traits, value.emplace());
+    if (table_.find(key) != nullptr) read_value(key, traits, value.emplace());
   }
   /// A table within.
   template <TableWithin Value>
